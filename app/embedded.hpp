@@ -1,5 +1,5 @@
 #pragma once
-// Files of the source tree that are put into the executable by the build (cmake/embed.cmake).
+// Files of the source tree that the build puts into the executable (cmake/embed.cmake).
 
 #include <string_view>
 
@@ -30,7 +30,7 @@ extern const std::string_view rough_surface_csv;  ///< a trace for a figure
 // Parts of the report.
 extern const std::string_view report_html;  ///< the page, with names in braces at the places to fill in
 extern const std::string_view tools_html;   ///< above the ledger: filter, order, folds
-extern const std::string_view guide_html;   ///< how to read the ledger
+extern const std::string_view guide_html;   ///< instructions for reading the ledger
 extern const std::string_view report_css;
 extern const std::string_view report_js;
 extern const std::string_view sketch_svg;  ///< a picture of the problem

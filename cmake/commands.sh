@@ -1,6 +1,6 @@
 # shellcheck shell=bash
-# What ./verify, ./check, ./solve, site/build and explorer/build have in common; sourced, never run. All that is said here
-# goes to stderr, so that stdout holds the result alone.
+# Common functions of ./verify, ./check, ./solve, site/build and explorer/build. Source this file, do not run it. All its
+# messages go to stderr, so that stdout holds only the result.
 
 root=$(dirname -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")")
 # The command as a person types it in the root folder: verify, site/build.

@@ -153,7 +153,7 @@ class Explorer {
                    {"profile", column(profile)}});
   }
 
-  /// The surface beyond the support, on the scale of the profile: psi - gap continued to these places.
+  /// Heights of the surface beyond the support, on the scale of the profile: psi - gap, continued to these places.
   val surface_at(const val& places) const {
     const std::vector<double> x = emscripten::convertJSArrayToNumberVector<double>(places);
     const Rational& left = problem_->indenter().left();

@@ -1,6 +1,6 @@
-# The double-only part (STEADYSLIDE_DOUBLE_ONLY), which has no GMP, MPFR, Arb, FFTW and GSL. Emscripten compiles it for the
-# Explorer, and the ordinary compiler for the tests (tests/explorer). It contains all of model/, numeric/ and the reader of
-# problem files, except the files below, and instead of them what is in double_only/:
+# The double-only part (STEADYSLIDE_DOUBLE_ONLY). It uses none of GMP, MPFR, Arb, FFTW and GSL. Emscripten compiles it for
+# the Explorer, and the ordinary compiler for the tests (tests/explorer). It contains model/, numeric/ and the reader of
+# problem files, except the files below. The files in double_only/ replace them:
 #
 #   mpfr_real, elementary         numbers with 50 and 100 digits; pi, and doubles of rationals, without MPFR
 #   double_exponential_grid       residuals above double

@@ -40,7 +40,7 @@ class Handle {
 
 using NamedCells = std::vector<std::string>;
 
-/// The columns of a table in CSV, each with its name first.
+/// Returns the columns of a table in CSV. The first cell of each is its name.
 std::vector<NamedCells> columns_of(std::string_view table) {
   std::vector<NamedCells> columns;
   for (const std::vector<std::string>& row : csv_rows(table)) {

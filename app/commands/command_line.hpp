@@ -79,7 +79,7 @@ Option certify_option(const std::string& what);
 Option seed_option();
 Option jobs_option(const std::string& what);
 Option folder_option();
-/// A command's own options, then --digits with its help, --format and --output.
+/// Returns a command's own options, then --digits with its help, --format and --output.
 std::vector<Option> with_common(std::vector<Option> options, const std::string& digits,
                                 std::initializer_list<Format> formats);
 

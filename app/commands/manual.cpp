@@ -37,7 +37,7 @@ std::string entry(const Option& option) {
 
 bool is_option(const Option& option) { return option.name.starts_with('-'); }
 
-/// "-o" and "--output".
+/// Returns "-o" and "--output".
 std::vector<std::string> names_in(const Option& option) {
   const std::size_t comma = option.name.find(',');
   if (comma == std::string::npos) return {option.name};

@@ -1,5 +1,5 @@
 #pragma once
-// A figure as data: what is drawn, and nothing about how. Numbers are in the units that the axis labels name.
+// A figure as data: the content of the drawing, not the way it is drawn. Numbers are in the units of the axis labels.
 //
 // Labels, legends and notes are in gnuplot's enhanced text: "{/:Italic t}_n" is an italic t with the index n. Title and
 // name are plain text; captions have formulas between backticks in the notation of claims.
@@ -37,7 +37,7 @@ enum class Look { line, marks, bar, band, area };
 struct Series {
   std::string legend;  ///< empty for none
   Look look;
-  int style;  ///< colour, dashes and marks, from 1; styles differ in all three
+  int style;  ///< colour, dashes and marks, from 1; different styles differ in all three
   std::vector<Point> points;
 };
 

@@ -22,7 +22,7 @@ std::string last_line(std::string text) {
   return text.substr(begin);
 }
 
-/// The text after the last ": ", or all of it.
+/// Returns the text after the last ": ", or the whole text if there is none.
 std::string after_last_colon(const std::string& text) {
   const std::size_t colon = text.rfind(": ");
   return colon == text.npos ? text : text.substr(colon + 2);

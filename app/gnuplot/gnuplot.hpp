@@ -10,7 +10,7 @@
 namespace steadyslide::app {
 
 enum class Picture { svg, pdf, png };
-/// "svg pdf png", as endings of names and as choices of an option.
+/// "svg pdf png": the endings of file names and the choices of an option.
 inline constexpr std::array<std::string_view, 3> picture_names{"svg", "pdf", "png"};
 
 /// Returns the whole script with its data. The picture is 800 units wide: 160 mm in print, 5 units a millimetre; a PNG

@@ -58,7 +58,7 @@ class CertifiedWriter {
                     {"resultants", upper_text(relative_radius(solved.forces().load_share))}};
   }
 
-  // Texts of numbers (solution_text.hpp), and of quantities of the table (library/answer/quantities.hpp).
+  // Makes texts of numbers (solution_text.hpp), and of quantities of the table (library/answer/quantities.hpp).
   NumberText number(const Ball& ball) const { return number_text(ball, digits_); }
   NumberText intensity(const Ball& ball) const { return number(ball); }
   NumberText operator()(const Ball& ball) const { return number(ball); }

@@ -210,7 +210,7 @@ std::unique_ptr<RowWriter> make(std::vector<Column> columns, Output& output) {
   return std::make_unique<Writer>(std::move(columns), output);
 }
 
-/// In the order of Format.
+/// Writers in the order of Format.
 constexpr std::array writers{make<TextRows>, make<JsonRows>, make<CsvRows>, make<MarkdownRows>, make<LatexRows>};
 
 }  // namespace

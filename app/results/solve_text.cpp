@@ -27,13 +27,13 @@ void write_line(Output& output, const std::string& name, const std::string& valu
   output.write(fmt::format("  {:<22}{}\n", name, shown(value)));
 }
 
-/// Load, direction and coupling constant.
+/// Writes load, direction and coupling constant.
 void write_problem(const ContactProblem& problem, Output& output) {
   output.write(fmt::format("load {}, indenter sliding towards {}, gamma = {}\n", exact_text(problem.load()),
                            name_of(problem.sliding()), exact_text(problem.elasticity().gamma())));
 }
 
-/// One line for each contact component.
+/// Writes one line for each contact component.
 void write_contact(const SolutionText& solution, Output& output) {
   for (std::size_t k = 0; k < solution.contact.size(); ++k) {
     const auto& [left, right] = solution.contact[k];
@@ -112,7 +112,7 @@ class Lines {
   const std::vector<Rational>& friction_;
 };
 
-/// All quantities, in the order of their lines.
+/// Returns all quantities, in the order of their lines.
 std::vector<Line> resultant_lines(const Problem& problem, const ResultantsText& resultants) {
   std::map<int, std::vector<Line>> ordered;
   answer::for_each_quantity(resultants, [&](const answer::Quantity& row, const auto& value) {

@@ -42,12 +42,12 @@ struct SearchText {
   bool agreed() const { return solutions.size() == 1 && unsolved == 0; }
 };
 
-/// A summary to read, and the samples if there are any.
+/// Writes a summary for readers, and the samples if there are any.
 void write_text(const Problem& problem, const SolutionText& solution, Output& output);
 void write_text(const Problem& problem, const SearchText& search, Output& output);
 /// The first summary, and the main results of both directions side by side.
 void write_text(const Problem& problem, const BothText& both, Output& output);
-/// The whole result, with the problem as read.
+/// Writes the whole result, with the problem as it was read.
 void write_json(const Problem& problem, const SolutionText& solution, Output& output);
 void write_json(const Problem& problem, const SearchText& search, Output& output);
 void write_json(const Problem& problem, const BothText& both, Output& output);
@@ -57,7 +57,7 @@ void write_nodal_forces(Format format, const FieldText& field, Output& output);
 /// Writes stresses, nodal forces or the largest stress, if one of them was requested (docs/interior.md); otherwise the
 /// samples (docs/output.md). A sample has two rows if a left and a right limit differ.
 void write_csv(const Problem& problem, const SolutionText& solution, Output& output);
-/// One row for each solution and contact component.
+/// Writes one row for each solution and contact component.
 void write_csv(const Problem& problem, const SearchText& search, Output& output);
 /// Writes the samples of both directions; the first column is the direction of sliding.
 void write_csv(const Problem& problem, const BothText& both, Output& output);

@@ -18,7 +18,7 @@ class SweepTable {
   explicit SweepTable(SweepFile sweep);
 
   std::size_t size() const { return sweep_.problems.size(); }
-  /// One line of names.
+  /// Returns one line with the names of the columns.
   std::string header() const;
   /// One line, also for a problem that is not solved.
   std::string row(std::size_t n) const;

@@ -16,7 +16,7 @@ struct TextTable {
   std::vector<std::string> references;         ///< works cited in the note or the rows: a key, author, title, ...
 };
 
-/// The cells of a row of a Markdown table, "| a | b |".
+/// Returns the cells of a row of a Markdown table, "| a | b |".
 std::vector<std::string> cells_of_row(std::string_view line);
 
 /// Returns a document in Markdown; the formulas stay unchanged.

@@ -26,15 +26,15 @@ class Failure : public std::runtime_error {
   ExitCode code_;
 };
 
-/// "command line: WHAT", exit code 2.
+/// Returns the failure "command line: WHAT" with exit code 2.
 Failure bad_command_line(const std::string& what);
-/// "command line: WHAT; RULE; VALUE", exit code 2.
+/// Returns the failure "command line: WHAT; RULE; VALUE" with exit code 2.
 Failure bad_command_line(const std::string& what, const std::string& rule, std::string_view value);
 
-/// "steadyslide: MESSAGE" on stderr, on one line. If stderr cannot be written, nothing happens.
+/// Writes "steadyslide: MESSAGE" to stderr, on one line. If stderr cannot be written, nothing happens.
 void print_message(const std::string& message);
 
-/// "steadyslide: FILE: warning: WHAT" on stderr, each on one line.
+/// Writes "steadyslide: FILE: warning: WHAT" to stderr, one line for each warning.
 void warn(const std::string& file, const std::vector<std::string>& warnings);
 
 }  // namespace steadyslide::app

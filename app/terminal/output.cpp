@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t buffer_size = std::size_t{1} << 16;
 
-/// The permissions that a newly created file would have.
+/// Returns the permissions of a newly created file.
 mode_t default_mode() {
   const mode_t mask = ::umask(0);
   ::umask(mask);

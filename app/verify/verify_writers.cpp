@@ -31,7 +31,7 @@ std::string beyond_text(const VerifyResult& result) {
   return ids.empty() ? ids : "undecided because beyond calculation: " + ids;
 }
 
-/// "1 claim", "2 claims".
+/// Returns "1 claim" or "2 claims".
 std::string numbered(std::size_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }

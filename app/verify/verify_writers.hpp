@@ -25,12 +25,12 @@ struct VerifyResult {
 /// Removes the notes that belong to none of the reported claims, and counts them.
 void leave_out_other_notes(VerifyResult& result);
 
-/// The claims with their verdicts, then the reading notes.
+/// Writes the claims with their verdicts, then the reading notes.
 void write_verify(Format format, const VerifyResult& result, Output& output);
 /// Writes the claims without verdicts.
 void write_claims(Format format, std::span<const proofs_checks::Claim> claims, Output& output);
 
-/// "12 of 12 controls refuted".
+/// Returns "12 of 12 controls refuted".
 std::string controls_line(const VerifyResult& result);
 
 /// ExitCode::done only if no claim is refuted, and only claims beyond calculation are undecided.

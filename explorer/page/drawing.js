@@ -26,7 +26,7 @@ function ticks(from, to, count) {
   return result;
 }
 
-/// A linear scale from [from, to] to pixels.
+/// Returns a linear scale from [from, to] to pixels.
 function scale(from, to, low, high) {
   const at = value => low + (value - from) / (to - from) * (high - low);
   at.inverse = pixel => from + (pixel - low) / (high - low) * (to - from);

@@ -80,7 +80,7 @@ struct Quantity {
   std::string_view meaning;
 };
 
-/// The key with spaces, as a text shows it.
+/// Returns the key with spaces, as a text shows it.
 inline std::string words(const Quantity& row) {
   std::string result(row.key);
   for (char& letter : result) letter = letter == '_' ? ' ' : letter;
@@ -93,7 +93,7 @@ inline constexpr Quantity quantities[] = {
 #undef STEADYSLIDE_QUANTITY
 };
 
-/// Two quantities on one line would hide one of them.
+/// True if every quantity has its own line: two quantities on one line would hide one of them.
 constexpr bool have_lines_of_their_own() {
   for (const Quantity& row : quantities) {
     for (const Quantity* other = quantities; other != &row; ++other) {

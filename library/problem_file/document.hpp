@@ -1,5 +1,5 @@
 #pragma once
-// A TOML document as plain data with line numbers, so that only one source file sees the TOML library.
+// A TOML document as plain data with line numbers. Only one source file includes the TOML library.
 
 #include <string>
 #include <string_view>
@@ -30,7 +30,7 @@ struct Entry {
   Value value;
 };
 
-/// "a string", "an integer", ...
+/// Returns "a string", "an integer", ...
 const char* name_of(Value::Kind kind);
 
 /// Parses a TOML document. `kind` names the expected document in messages. Throws InvalidFile if the text is not TOML,

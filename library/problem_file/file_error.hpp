@@ -15,7 +15,7 @@ class InvalidFile : public std::invalid_argument {
   InvalidFile(const std::string& place, const std::string& complaint)
       : std::invalid_argument(place + ": " + complaint), complaint_begins_(place.size() + 2) {}
 
-  /// what() without the place.
+  /// Returns what() without the place.
   std::string complaint() const { return what() + complaint_begins_; }
 
  private:

@@ -6,7 +6,7 @@
 //   power = ["-"|"+"] atom ["^" digits]      -x^2 is -(x^2)
 //   atom  = number | "x" | "(" expr ")"      a number is 2, 0.25 or 1e-3, without sign
 //
-// Exact. Division by constants only, no implicit product, spaces anywhere between symbols.
+// The polynomial is exact. A divisor must be constant. There is no implicit product. Spaces may stand between symbols.
 
 #include <string_view>
 

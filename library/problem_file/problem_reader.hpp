@@ -74,7 +74,7 @@ class ProblemReader {
 
     std::string place() const;
   };
-  /// The value at "a.b[2].c", or null and the line of the deepest part that exists.
+  /// Returns the value at "a.b[2].c", or null and the line of the deepest part that exists.
   Found locate(std::string_view field) const;
 
   const Value& root_;

@@ -2,8 +2,8 @@
 // A measured profile: points (x, psi) in a text file, joined by straight lines. Everything is exact, as in a problem
 // file; every error message names the trace and the line.
 //
-//   One point a line, two columns (table_reader.hpp), x strictly increasing, both in the user's unit of length, psi away
-//   from the body.
+//   Each line is a point with two columns (table_reader.hpp). x increases strictly. Both are in the user's unit of
+//   length; psi points away from the body.
 
 #include <optional>
 #include <string>
@@ -39,7 +39,7 @@ struct Trend {
 };
 
 struct ProfileTrace {
-  std::size_t points;                   ///< of the file
+  std::size_t points;                   ///< number of points in the file
   Support range;                        ///< first and last x of the file
   std::vector<Indenter::Piece> pieces;  ///< one between each two neighbouring points, cut at the ends of the support
   std::optional<Trend> trend{};         ///< the trend that was subtracted

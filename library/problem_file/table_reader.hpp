@@ -1,9 +1,9 @@
 #pragma once
 // Tables of numbers in text files.
 //
-//   One row a line, columns separated by a semicolon if the line has one, else by a comma if it has one, else by blanks or
-//   tabs. From # on a line is a comment; the first line that is more than a comment is a header if it begins with something
-//   else than a digit, a sign or a point. CRLF and a byte order mark are fine.
+//   Each line is a row. Columns are separated by a semicolon if the line has one, otherwise by a comma if it has one,
+//   otherwise by blanks or tabs. The rest of a line from # on is a comment. The first line that is more than a comment
+//   is a header unless it begins with a digit, a sign or a point. CRLF and a byte order mark are allowed.
 
 #include <functional>
 #include <string>
@@ -32,7 +32,7 @@ class TableReader {
 
   /// The line of the current row; after the last row, the last line of the file.
   std::size_t line() const { return line_ == 0 ? 1 : line_; }
-  /// "NAME:LINE: what".
+  /// Returns the error "NAME:LINE: what".
   InvalidFile error(const std::string& what) const { return error_at(line(), what); }
   InvalidFile error(const std::string& what, const std::string& rule, const std::string& value) const {
     return error(what + "; " + rule + "; " + value);

@@ -9,7 +9,7 @@
 
 namespace steadyslide::library {
 
-/// The contact that a solver returns, and whether it solves the problem.
+/// The contact that a solver returns, with the mark of a solution.
 struct FoundContact {
   ApproximateContact contact;
   bool is_solved = true;  ///< false: a condition fails; the contact is the last one that the solver reached

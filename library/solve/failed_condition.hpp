@@ -28,7 +28,7 @@ std::vector<NamedError> named(const numeric::EstimatedError<R>& error);
 template <numeric::Real R>
 std::vector<std::pair<std::string, R>> named(const numeric::Residuals<R>& residuals);
 
-/// "12 %", "unknown" if it is not finite.
+/// Returns "12 %", or "unknown" if the number is not finite.
 std::string percent(double part);
 
 /// The reason if one of the errors is above 50 % or NaN; otherwise empty.

@@ -25,7 +25,7 @@ inline const ContactProblem& contact_problem(const Problem& problem) { return da
 /// Returns parse_rational() of the text. Throws InvalidData that names `field`.
 Rational rational(const Exact& number, const std::string& field);
 
-/// A solution in one precision, as numbers of the facade.
+/// A solution in one precision, with its numbers as the facade shows them.
 struct Solution::State {
   Problem problem;
   int digits = 16;

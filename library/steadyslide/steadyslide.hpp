@@ -242,8 +242,8 @@ class STEADYSLIDE_API Solution {
   /// From left to right.
   std::vector<UnresolvedGap> unresolved_gaps() const;
   Resultants resultants() const;
-  // One function for each quantity: effective_friction(), largest_pressure(), ... Each call computes all of them; if you need
-  // several, call resultants() once.
+  // One function for each quantity: effective_friction(), largest_pressure(), ... Each call computes all of them. If you
+  // need several, call resultants() once.
 #define STEADYSLIDE_QUANTITY(type, key, ...) \
   Resultants::type key() const { return resultants().key; }
   STEADYSLIDE_QUANTITIES(STEADYSLIDE_QUANTITY)

@@ -7,7 +7,7 @@
 
 namespace steadyslide::library {
 
-/// A key of a table, or the number of an entry of an array.
+/// A key of a table, or the index of an entry of an array.
 using Step = std::variant<std::string, std::size_t>;
 
 /// Returns the steps of "a[2].b": a, 2, b. Empty if the text is not a path.

@@ -3,7 +3,8 @@
 //
 //   x_k = from + (to - from) floor(u_k 10^12 / 2^64) / 10^12,   k = 0, 1, ...
 //
-// u_k are the numbers of SplitMix64 [SLF14] that starts from seed XOR fnv1a(name): data of one seed differ.
+// u_k are the numbers of SplitMix64 [SLF14] that starts from seed XOR fnv1a(name): so data with the same seed have
+// different numbers.
 
 #include <cstdint>
 #include <string_view>

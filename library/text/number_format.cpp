@@ -69,7 +69,7 @@ Scientific rounded_up(const R& value, int digits) {
   return scientific(value.backend().data(), digits, MPFR_RNDU);
 }
 
-/// The ball's midpoint, exactly.
+/// The exact midpoint of the ball.
 class Midpoint {
  public:
   explicit Midpoint(const enclosure::Ball& ball) {
@@ -264,7 +264,7 @@ std::string format_number(const Rational& value, int digits) {
 std::string exact_text(const Rational& value) {
   std::string text = to_string(value);
   if (text.size() <= 60) return text;
-  // A decimal, if there is one: digits * 10^-places.
+  // Writes a decimal if the value is one: digits * 10^-places.
   Integer rest = boost::multiprecision::denominator(value);
   int twos = 0;
   int fives = 0;

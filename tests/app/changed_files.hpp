@@ -8,7 +8,7 @@
 
 namespace steadyslide::testing {
 
-/// The file of lines "~ [table] key = value".
+/// Returns the file of lines "~ [table] key = value".
 inline std::string file_of(const std::string& changes) {
   static const std::regex pattern(R"(~ (?:(\[\S+\]) ?)?([^=]*?)( = .*)?)");
   nlohmann::ordered_json tables;

@@ -32,7 +32,7 @@ Finished run_program_by(std::vector<std::string> command, const std::vector<std:
 Finished run_on_terminal(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
                          const std::string& input);
 
-/// Runs another program found by PATH, the same way.
+/// Runs another program found by PATH, in the same way.
 Finished run_other(const std::vector<std::string>& command, const std::filesystem::path& folder);
 
 /// A folder of its own with these files (names and texts). It is removed at the end.
@@ -48,7 +48,7 @@ class TemporaryFolder {
   std::string read(const std::string& name) const;
   /// Returns the names of the files in it, or in a folder of it, in order.
   std::vector<std::string> names(const std::string& folder = "") const;
-  /// Runs the program in it.
+  /// Runs the program in this folder.
   Finished run(const std::vector<std::string>& arguments, const std::string& input = "",
                Stdout where = Stdout::captured) const {
     return run_program(arguments, path_, input, where);

@@ -1,12 +1,12 @@
-// Walks through pages in Chromium and says what is in the way:
+// Walks through pages in Chromium and reports their faults:
 //
 //   walk.mjs [--shots DIR] [--fits SELECTOR] [--pages N] PAGE...     PAGE a file or a URL
 //
-// Each page is opened 1300 and 390 px wide, in light and dark colours, and as it is printed, with everything unfolded. One line a
-// page with what was counted; a line for each fault: an error or a warning on the console, a request that fails or leaves the
-// machine, a page wider than the screen, an issue that axe-core calls serious or critical. Exit code 1 if there is a fault.
-// Before anything is unfolded --shots keeps pictures and the PDF, what --fits matches has to fit 1300 x 1600 px, and the page is
-// printed, on at most N pages.
+// Each page is opened 1300 and 390 px wide, in light and dark colours, and as it is printed, with everything unfolded.
+// Prints one line with counts for each page, and one line for each fault: an error or a warning on the console, a
+// request that fails or leaves the machine, a page wider than the screen, an issue that axe-core calls serious or
+// critical. Exit code 1 if there is a fault. Before anything is unfolded --shots keeps pictures and the PDF, what
+// --fits matches has to fit 1300 x 1600 px, and the page is printed, on at most N pages.
 
 import { mkdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";

@@ -167,10 +167,10 @@ TEST_CASE("a sum that is negative at one end of its range only is not negative")
 }
 
 TEST_CASE("an energy below the true one by less than the far nodes' Taylor polynomials are off") {
-  // One cell of sixteen, [j, j + 1], has all pressure. The profile is 10 up to j + 2, falls to 0 at y0 = j + 3 + 1/256 and rises
-  // beyond, so that the lowest gap is the one at y0: with c = P = 1 and a = 1/256
+  // One cell of sixteen, [j, j + 1], has all pressure. The profile is 10 up to j + 2, falls to 0 at y0 = j + 3 + 1/256
+  // and rises beyond. So the lowest gap is the one at y0: with c = P = 1 and a = 1/256
   // E = <H, p> - min H = 10 + 1/(2 pi) + ((3 + a) log(3 + a) - (2 + a) log(2 + a))/pi.
-  // From the cell that y0 lies in node j is a far one, at the distance 7/2: its polynomial is 1e-9/pi too low there.
+  // Seen from the cell that contains y0, node j is a far one, at the distance 7/2: its polynomial is 1e-9/pi too low.
   json c = json::parse(R"({"certificate": 1, "kind": "cells", "generator": "test 0.0.0",
     "problem": {"load": "1", "load_at": null, "sliding": "+x", "gamma": "0", "compliance": "1",
       "friction": {"values": ["0"], "jumps": []},
@@ -182,7 +182,7 @@ TEST_CASE("an energy below the true one by less than the far nodes' Taylor polyn
   const Ball far = Ball(3 + 1. / 256).rounded(200), near = Ball(2 + 1. / 256).rounded(200);
   const Ball energy = Ball(10) + Ball(0.5) / pi + (far * log(far) - near * log(near)) / pi;
   const auto claimed = [&](double more) {
-    // 2^-60 of it, as a fraction.
+    // As a fraction with the denominator 2^50.
     Ball scaled = (energy + Ball(more)) * Ball(std::ldexp(1, 50));
     fmpz_t n;
     fmpz_init(n);

@@ -24,7 +24,7 @@ TEST_CASE("the first eight, and those whose estimates have been too small") {
 
 namespace {
 
-/// Contact on a short piece up to a gap beside the step at its end.
+/// Contact on a short piece, which ends at a gap beside the step.
 ContactProblem short_piece(const Rational& length) {
   const auto line = [](const Rational& slope, const Rational& height) { return Polynomial({height, slope}); };
   const Indenter indenter(

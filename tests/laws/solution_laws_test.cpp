@@ -16,7 +16,7 @@ struct Method {
   std::string name;
   std::function<Attempt<R>(const ContactProblem&)> solve;
   rc::Gen<ContactProblem> problems;
-  R residual;  ///< of equation, load and gap
+  R residual;  ///< largest residual of equation, load and gap
   R tension;
   Tolerance<R> within;
   std::size_t changes = change_laws().size();  ///< the number of laws tested for one problem, from a random one on

@@ -33,7 +33,7 @@ double energy_of_chebyshev(std::size_t cells, int n, int left, int right) {
 /// The punch of a contact set: its least pressure on the set, and the largest B x outside.
 struct Punch {
   double least_pressure;
-  double most_outside;  ///< B x off the set, where it is 1 on the set
+  double most_outside;  ///< largest B x outside of the set; it is 1 on the set
 };
 
 Punch punch_of(const GalerkinOperator& b, const CellSet& set) {

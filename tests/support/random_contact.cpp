@@ -31,7 +31,7 @@ class Dice {
     return choices[static_cast<std::size_t>(whole(0, static_cast<int>(choices.size()) - 1))];
   }
   Rational one_of_these(std::initializer_list<Rational> choices) { return one_of(std::vector<Rational>(choices)); }
-  /// 10^(k/10) to two digits, low <= k <= high.
+  /// Returns 10^(k/10) to two digits, low <= k <= high.
   Rational decades(int low, int high) {
     static constexpr int mantissa[] = {10, 13, 16, 20, 25, 32, 40, 50, 63, 79};
     const int k = whole(low, high) + 100;
@@ -51,7 +51,7 @@ struct Spot {
   Rational radius;
 };
 
-/// psi in units of its own height on [-1, 1], with the load in units of height/c.
+/// psi in units of its own height on [-1, 1]; the load in units of height/c.
 struct Shape {
   std::vector<Indenter::Piece> pieces;
   std::vector<Spot> spots;

@@ -1,5 +1,5 @@
-// Pressure under a flat punch with one friction coefficient, and with two coatings, the smoother one on the left,
-// sliding one way and the other. [Bal16, (4)-(7), figures 3 and 4]
+// Pressure under a flat punch with one friction coefficient, and with two coatings, the smoother one on the left, for
+// both directions of sliding. [Bal16, (4)-(7), figures 3 and 4]
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// The numbers in the figures, against `solve` and against formulas.
+// The numbers in the figures, compared with `solve` and with formulas.
 
 #include "app/figure_problems.hpp"
 #include "app/figures/moment_rule.hpp"
@@ -123,7 +123,7 @@ TEST_CASE("contact zones are those of solve, and end b moves as derived") {
       CHECK(rate != doctest::Approx(derived(gamma * (2.1 - f))).epsilon(0.05));
     }
   }
-  // The loads between which the zones meet, as examples/two_bumps.toml has them.
+  // The loads between which the zones merge, in examples/two_bumps.toml.
   const double merged = figure.panels[1].series[2].points.back().x;
   CHECK(merged > 0.77);
   CHECK(merged < 0.78);

@@ -1,4 +1,4 @@
-// The sketch, maps, zones and exponents in the figures, against `solve` and against formulas.
+// The sketch, maps, zones and exponents in the figures, compared with `solve` and with formulas.
 
 #include <cmath>
 #include <regex>

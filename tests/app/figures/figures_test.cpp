@@ -34,7 +34,7 @@ void check_texts(const Figure& figure, const std::string& svg) {
       CHECK_FALSE(series.points.empty());
     }
   }
-  // The control.
+  // The control: another title is not found.
   CHECK_FALSE(holds(shown, figure.title + "?"));
 }
 
@@ -86,7 +86,7 @@ TEST_CASE("every figure is written, whole, the same each time, and shows its tit
       CAPTURE(id);
       CHECK(all_ids.insert(id).second);
     }
-    // References name ids of the same figure.
+    // References use ids of the same figure.
     for (std::size_t at = 0; (at = svg.find("xlink:href='#", at)) != std::string::npos; ++at) {
       const std::size_t begin = at + 13;
       const std::string id = svg.substr(begin, svg.find('\'', begin) - begin);

@@ -249,7 +249,7 @@ TEST_CASE("without a picture nothing is solved, and nothing is left behind") {
   refused({"--plot", "p.svg", "-o", "none/text"}, "none/text: cannot be written: No such file or directory", 3);
   refused({"--plot", "p.svg", "--method", "variational", "--cells", "8"},
           "command line: --cells: out of range; it is a whole number from 16 to 4194304; '8'", 2);
-  // A PATH without gnuplot.
+  // A PATH that does not contain gnuplot.
   const Finished missing =
       run_program_by({"env", "PATH=" + folder.path().string()},
                      {"solve", STEADYSLIDE_EXAMPLES "/parabola.toml", "--plot", "p.svg"}, folder.path());

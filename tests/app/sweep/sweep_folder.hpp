@@ -1,5 +1,5 @@
 #pragma once
-// The fixture of sweeps: a folder with base.toml, two coatings under a flat punch, and a sweep of it.
+// The fixture of sweeps: a folder with base.toml, which has two coatings under a flat punch, and a sweep of it.
 
 #include "app/command_line.hpp"
 

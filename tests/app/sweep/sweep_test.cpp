@@ -1,4 +1,4 @@
-// steadyslide sweep, run as a user does: rows against single solves, their order, workers, interruptions.
+// steadyslide sweep, run as a user does: rows compared with single solves, their order, workers, interruptions.
 
 #include <sys/stat.h>
 #include <csignal>

@@ -15,7 +15,7 @@ namespace {
 using namespace steadyslide::enclosure;
 using Kind = ContactTopology::Kind;
 
-/// psi = -|x|/5 on [-1, 1], nu = 0.2, f = 0.1 | 0.5: a notch whose corner lies where friction rises.
+/// psi = -|x|/5 on [-1, 1], nu = 0.2, f = 0.1 | 0.5: a notch whose corner is where friction rises.
 ContactProblem notch(const Rational& load) {
   return {Elasticity(Solid(0.2_r, 1)), FrictionProfile({0.1_r, 0.5_r}, {0}), roof(0.2_r, -0.2_r), load};
 }

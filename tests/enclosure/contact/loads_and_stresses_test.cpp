@@ -98,8 +98,8 @@ TEST_CASE("nodal forces: their sum is the load, their moment the load's, on any 
 }
 
 TEST_CASE("nodal forces under a frictionless flat punch are known") {
-  // t = -1/(pi sqrt(1-x^2)): one linear element takes half the load at each end; a quadratic one the second moment, 1/4 and
-  // 1/2 and 1/4.
+  // t = -1/(pi sqrt(1-x^2)): one linear element takes half the load at each end; a quadratic one has the second moment:
+  // 1/4, 1/2 and 1/4.
   const Solved state = solved(reduced({0}, {}, one_piece(-1, 1, {}), 1));
   for (const enclosure::NodalForce& force : nodal_forces(state.enclosed, {-1, 1}, 1))
     CHECK(force.normal.contains(0.5_r));
@@ -115,8 +115,8 @@ TEST_CASE("meshes that are none are refused") {
     CHECK_THROWS_AS(nodal_forces(state.enclosed, nodes, order), InvalidData);
   };
   refused({-1, 0, 0, 1}, 1);
-  refused({-1, 0, 0.5_r}, 1);      // contact beyond it
-  refused({-1, 0.1_r, 1}, 2);      // off the middle
+  refused({-1, 0, 0.5_r}, 1);      // contact reaches beyond the mesh
+  refused({-1, 0.1_r, 1}, 2);      // the node is not in the middle
   refused({-1, -0.5_r, 0, 1}, 2);  // one midside node is missing
   refused({-1, 1}, 3);
   refused({-1}, 1);

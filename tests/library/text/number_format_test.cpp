@@ -92,7 +92,8 @@ TEST_CASE("16 digits of all of a number are the shortest decimal that brings the
   }
   CHECK(full_number(Rational(1, 3), 16) == "0.3333333333333333");
   CHECK(full_number(Real50("1e-400") / 3, 16) == "3.333333333333333e-401");
-  CHECK(full_number(Real50(2) / 3, 16) == "0.6666666666666666");  // the double's, not the rounded 0.6666666666666667
+  CHECK(full_number(Real50(2) / 3, 16) == "0.6666666666666666");  // the double's digits, not the rounded
+                                                                  // 0.6666666666666667
   CHECK(full_number(2.0 / 3, 6) == "0.666667");
   CHECK(full_number(Real50(1) / 3, 30) == "0." + std::string(30, '3'));
   CHECK(full_number(-infinite, 16) == "-inf");
@@ -123,7 +124,7 @@ TEST_CASE("an estimate for a person and for a file") {
 TEST_CASE("an estimated error counts what its value is rounded by") {
   CHECK(number_text(Estimate<double>{2. / 3, 1e-17}, 3).error == "0.00034");
   CHECK(number_text(Estimate<double>{0.5, 0}, 3).error == "0");
-  CHECK(number_text(Estimate<double>{2. / 3, 1e-16}, 16).error == "1e-16");  // the text is the double
+  CHECK(number_text(Estimate<double>{2. / 3, 1e-16}, 16).error == "1e-16");  // the text gives exactly the double
   CHECK(number_text(Estimate<Real50>{Real50(2) / 3, Real50("1e-56")}, 25).error == "3.4e-26");
   // The nearest double is further away than the 16th digit.
   CHECK(number_text(Estimate<Real50>{Real50(2) / 3, Real50("1e-56")}, 16).error == "6.7e-17");

@@ -12,8 +12,8 @@ ContactProblem galin(const std::vector<Rational>& s, const std::vector<Rational>
   return reduced(s, jumps, one_piece(-100, 100, {0, 0, 1 / (2 * radius)}), load);
 }
 
-/// The two equations by the angles alone, for the ends a < b of any contact: summed by parts (the powers are the jumps of
-/// alpha, and 1/2 at both ends),
+/// The two equations in terms of the angles only, for the ends a < b of any contact. They are summed by parts; the powers
+/// are the jumps of alpha, and 1/2 at both ends:
 ///   mean = (a + b)/2 + int_a^b alpha dx = 0,   squares = (a^2 + b^2)/2 + 2 int_a^b x alpha dx = K.
 std::pair<double, double> mean_and_squares(const std::vector<Rational>& s, const std::vector<Rational>& jumps, double a,
                                            double b) {

@@ -41,7 +41,7 @@ TEST_CASE("equilibrium and compatibility, by differences") {
   }
 }
 
-// Slow: 12 s, at 50 digits down to 1e-8 of the contact below the surface.
+// Slow: 12 s at 50 digits, for depths down to 1e-8 of the contact's length.
 TEST_CASE("slow: the tractions are reached at the surface, at the rate that equilibrium tells" * doctest::skip()) {
   using std::abs;
   for (const Sliding sliding : {Sliding::plus_x, Sliding::minus_x}) {

@@ -1,4 +1,4 @@
-// Gauss-Jacobi rules against closed forms.
+// Gauss-Jacobi rules, compared with closed forms.
 
 #include <functional>
 

@@ -7,7 +7,7 @@
 
 namespace {
 
-/// A wedge in the contact, its two slopes of different size, with a friction jump at its tip.
+/// A wedge in the contact with two different slopes and a friction jump at its tip.
 ContactProblem wedge_and_jump(const Rational& f_left, const Rational& f_right) {
   return {Elasticity(Solid(0.3_r, 1)), FrictionProfile({f_left, f_right}, {0}), roof(Rational(-1, 7), 0.1_r), 0.1_r};
 }

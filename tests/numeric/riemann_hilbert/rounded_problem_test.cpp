@@ -89,7 +89,7 @@ TEST_CASE("anchors: steps, wedges, friction to the left and to the right, and wh
   CHECK(anchors[3].wedge);
   CHECK(!anchors[1].is_break);
   for (std::size_t k = 0; k < 4; ++k) CHECK(reduced.friction_of(k) == (k < 1 ? 0 : k < 3 ? 1 : 2));
-  // Sliding towards -x turns the sign of s.
+  // Sliding towards -x changes the sign of s.
   CHECK(reduced.s(1) < 0);
   CHECK(reduced.jump(1).exponent == jump_exponent(p.coupled_friction(0), p.coupled_friction(1)));
   CHECK(reduced.jump(2).exponent.sign() == 0);

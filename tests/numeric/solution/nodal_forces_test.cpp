@@ -82,7 +82,7 @@ TEST_CASE("a frictionless punch: a half, a half; a quarter, a half, a quarter, a
   // On [0, 1/2] by x = sin u: int t = 1/6, int t x = (1 - cos(pi/6))/pi.
   const auto parts = forces_of(*solution, SurfaceMesh({-1, 0, 0.5_r, 1}, 1));
   const R moment = (1 - sqrt(R(3)) / 2) / pi<R>();
-  const R on_left = (pi<R>() / 2 - 1) / pi<R>();  // of the element [-1, 0] on its right node: 1 - (-x)
+  const R on_left = (pi<R>() / 2 - 1) / pi<R>();  // the force of the element [-1, 0] on its right node, N = 1 - (-x)
   CHECK(size_of(R(parts[1].normal.value - (on_left + R(1) / 6 - 2 * moment))) < R("1e-50"));
 }
 

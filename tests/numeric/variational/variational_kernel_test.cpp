@@ -18,7 +18,7 @@ Real100 exact_mean(double a, double b, double c, double d) {
   return sum / ((Real100(b) - a) * (Real100(d) - c));
 }
 
-/// Relative, absolute where the mean is below 1.
+/// The relative error; absolute if the mean is below 1.
 double error(double value, const Real100& exact) {
   const Real100 difference = abs(value - exact);
   return (difference / std::max(1.0, std::abs(value))).convert_to<double>();

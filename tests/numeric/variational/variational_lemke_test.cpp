@@ -24,7 +24,7 @@ double residual_of(const DiscreteProblem& problem, const CellSet& contact) {
   return natural_residual(problem, solve(*dense_system(problem, contact), problem).state);
 }
 
-/// Cells within `reach` of a cell of the other kind.
+/// Returns the cells within `reach` of a cell of the other kind.
 std::vector<std::size_t> next_to_changes(const CellSet& set, std::size_t reach) {
   CellSet near(set.size(), 0);
   for (std::size_t i = 0; i < set.size(); ++i) {

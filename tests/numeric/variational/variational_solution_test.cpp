@@ -79,7 +79,7 @@ void agree_everywhere(const ContactProblem& problem) {
   }
 }
 
-/// A polygon in the parabola x^2/4 over [-1, 1], a wedge every hundredth; the one at -1/10 is sharper by `bend`.
+/// A polygon in the parabola x^2/4 over [-1, 1] with a wedge every hundredth. The wedge at -1/10 is sharper by `bend`.
 Indenter polygon(const Rational& bend) {
   std::vector<Indenter::Piece> pieces;
   Rational height = 0.25_r;

@@ -43,7 +43,7 @@ TEST_CASE("traction where it is not defined is refused, outside the contact it i
   CHECK_THROWS_AS(form.traction(-1), std::domain_error);
   CHECK_THROWS_AS(form.traction(1), std::domain_error);
   CHECK_THROWS_AS(form.traction(0), std::domain_error);
-  CHECK(form.traction(0.5_r).value < 0);  // a jump of height zero is no singular point
+  CHECK(form.traction(0.5_r).value < 0);  // a jump of height zero is not a singular point
   CHECK(form.traction(2).text == "0");
   CHECK(form.traction(-2).text == "0");
   CHECK_THROWS_AS(ClnClosedForm::flat_punch(punch(Rational(2, 7), {1}, {}), 0), std::domain_error);
