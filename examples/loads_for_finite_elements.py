@@ -1,4 +1,5 @@
-# Loads for a finite element mesh of the body under two coatings, and stresses at some of its points to compare with.
+# Computes loads for a finite element mesh of the body under two coatings, and stresses at some of its points for
+# comparison.
 import numpy as np
 import steadyslide as ss
 
