@@ -284,7 +284,7 @@ class Solution:
     Where functions of x have different limits on both sides, the larger one is told; at(x) has both.
     """
 
-    # Each resultant is also a property. The properties are set below the class.
+    # Each resultant is also a property; they are set below the class.
     normal: Number
     friction_force: Number
     centre_of_pressure: Number

@@ -25,11 +25,11 @@ if (options.shots) mkdirSync(options.shots, { recursive: true });
 const isLocal = (url) => /^(file|data|blob|about|devtools):|^https?:\/\/(localhost|127\.0\.0\.1)[:/]/.test(url);
 
 /**
- * Runs in the page: returns the findings of axe-core. A report has 100 000 elements. Half of them are inside formulas,
- * which have one colour each: they become text first. The cost of the rules on colours grows with everything that is
- * laid out. Therefore these rules examine parts of 800 elements; each element is in one part, and the other parts are
- * out of the page. Drawings are examined only by the other rules, which examine the page as a whole, once for each
- * width.
+ * Runs in the page: returns the findings of axe-core. A report has 100 000 elements. Half of them are inside formulas;
+ * these have the colour of their formula, so formulas become text first. The cost of the rules on colours grows with
+ * everything that is laid out. Therefore these rules examine parts of 800 elements; each element is in one part, and
+ * the other parts are out of the page. Drawings are examined only by the other rules, which examine the page as a
+ * whole, once for each width.
  */
 async function violations(withoutColours) {
   document.querySelectorAll("math").forEach((math) => { math.textContent = math.textContent; });
