@@ -13,7 +13,7 @@ std::string svg_escaped(std::string text) {
   return text;
 }
 
-/// Replaces the first element `name` by one with this text.
+/// Replaces the text of the first element `name`.
 void set_element(std::string& svg, const std::string& name, const std::string& text) {
   const std::size_t begin = svg.find("<" + name + ">");
   const std::size_t end = svg.find("</" + name + ">");

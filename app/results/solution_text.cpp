@@ -22,7 +22,7 @@ template <Real R>
 bool agree(const TwoSided<R>& limits) {
   using std::abs;
   const R errors = limits.left.error + limits.right.error;
-  // Plus a few units in the last place: the errors of f t are those of t times f, each rounded.
+  // Allows for the rounding of the errors: the errors of f t are those of t times f, each rounded.
   return abs(limits.left.value - limits.right.value) <= errors * (1 + 4 * numeric::epsilon<R>());
 }
 

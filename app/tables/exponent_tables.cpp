@@ -18,8 +18,8 @@ struct Coatings {
   Rational right;
 };
 
-/// The tables of docs/exponents.md with their headings, paragraphs, data and references. The computed columns are
-/// missing.
+/// Returns the tables of docs/exponents.md with their headings, paragraphs, data and references. The computed columns
+/// are filled again afterwards.
 std::vector<TextTable> given_tables() {
   std::vector<TextTable> tables;
   for (const auto part : std::views::split(embedded::exponents_md, '\n')) {

@@ -23,7 +23,7 @@ class SignalsHeld {
   sigset_t before_;
 };
 
-/// Registers a file that a signal removes, at most four at a time, or removes the registration. Call with signals held.
+/// Register a file that a signal removes, at most four at a time, and cancel the registration. Call with signals held.
 void remove_when_interrupted(const std::string& file);
 void keep_when_interrupted(const std::string& file);
 

@@ -166,7 +166,7 @@ TEST_CASE("an end passes a jump at the load that is known; without a jump on its
 }
 
 TEST_CASE("loads that are not proved beside an event belong to it, where what is proved in between is shorter") {
-  // An end of contact moves over the rougher coating. It approaches the jump at x = 0 more and more slowly.
+  // An end of contact passes the jump at x = 0. It approaches the jump more and more slowly.
   const ContactProblem problem(Elasticity(Solid(0.3_r, 1)), FrictionProfile({0.1_r, 0.7_r}, {0}),
                                one_piece(-2, 2, {0.25_r, 0, -0.5_r, 0, 0.25_r}), 1);
   const Rational from = 0.773_r, to = 0.7731_r;

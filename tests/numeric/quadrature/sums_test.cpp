@@ -35,7 +35,7 @@ TEST_CASE_TEMPLATE("sums over far nodes by moments", R, Real50, Real100) {
       Sum<R> sum;
       for (std::size_t i = 0; i < y.size(); ++i) sum.add(R(f[i] / (x + (beyond_one ? R(1 - y[i]) : y[i]))));
       CHECK(sum.is(distant.value(x, beyond_one)));
-      // Controls: the other end, and a place that differs from this one in the last six digits.
+      // Controls: the other end, and a place that differs by the factor 1 + 1e5 epsilon.
       if (x < 100) CHECK(size_of(R(distant.value(x, !beyond_one) - sum.value)) > R(1e-6) * sum.size);
       const R beside = x * (1 + 1e5 * epsilon<R>());
       CHECK_FALSE(sum.is(distant.value(beside, beyond_one)));
@@ -104,7 +104,7 @@ TEST_CASE_TEMPLATE("sums over far sources as one series", R, Real50, Real100) {
     CHECK(by_sizes.is(sum.value(y)));
     CHECK(direct.size <= by_sizes.size);
     CHECK(3 * direct.size >= by_sizes.size);
-    // Controls: the mirrored place, and one that differs in the last six digits.
+    // Controls: the mirrored place, and one that differs by 1e5 epsilon.
     if (y != R(0.5)) CHECK(size_of(R(sum.value(R(1 - y)) - direct.value)) > R(1e-6) * direct.size);
     CHECK_FALSE(direct.is(sum.value(R(y + 1e5 * epsilon<R>()))));
   }
