@@ -1,5 +1,5 @@
 #pragma once
-// Files of the source tree that are put into the executable by the build (cmake/embed.cmake).
+// Files of the source tree that the build puts into the executable (cmake/embed.cmake).
 
 #include <string_view>
 
@@ -11,9 +11,9 @@ using library::version;
 
 namespace embedded {
 
-// What --help says: of a command what it does and, after an empty line, what stands below its options.
-extern const std::string_view help_program;  ///< below the commands
-extern const std::string_view help_problem;  ///< of problem files
+// Help texts. The text of a command is a description and, after an empty line, the text below its options.
+extern const std::string_view help_program;  ///< the text below the commands
+extern const std::string_view help_problem;  ///< the text on problem files
 extern const std::string_view help_exponents;
 extern const std::string_view help_table;
 extern const std::string_view help_solve;
@@ -24,16 +24,16 @@ extern const std::string_view help_verify;
 extern const std::string_view help_figures;
 extern const std::string_view help_report;
 
-extern const std::string_view preamble_tex;       ///< what a document of tables begins with
+extern const std::string_view preamble_tex;       ///< the beginning of a LaTeX document with tables
 extern const std::string_view rough_surface_csv;  ///< a trace for a figure
 
-// What the report is made of.
-extern const std::string_view report_html;  ///< the page, with places in braces for what it is about
+// Parts of the report.
+extern const std::string_view report_html;  ///< the page, with names in braces at the places to fill in
 extern const std::string_view tools_html;   ///< above the ledger: filter, order, folds
-extern const std::string_view guide_html;   ///< how to read the ledger
+extern const std::string_view guide_html;   ///< instructions for reading the ledger
 extern const std::string_view report_css;
 extern const std::string_view report_js;
-extern const std::string_view sketch_svg;  ///< the problem
+extern const std::string_view sketch_svg;  ///< a picture of the problem
 extern const std::string_view result_txt;  ///< the main result, with formulas between backticks
 extern const std::string_view references_md;
 extern const std::string_view theory_md;  ///< symbols, and the words and data of the tables of exponents

@@ -1,5 +1,5 @@
-# steadyslide_public_headers(<source> <variable>): the headers of cmake/public_headers.txt, and all that they include outside
-# of model/.
+# steadyslide_public_headers(<source> <variable>): sets the variable to the headers of cmake/public_headers.txt and to
+# all headers outside of model/ that they include.
 cmake_policy(VERSION 3.25)
 
 function(steadyslide_public_headers source variable)

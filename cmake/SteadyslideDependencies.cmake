@@ -1,7 +1,7 @@
-# The libraries that steadyslide's own libraries link. Included by the build, which needs them all, and by the installed
-# package's config file, which looks for what its components need: find_package(steadyslide COMPONENTS numeric) does without
-# GiNaC and CLN, COMPONENTS steadyslide, the facade, without all of them. GMP, MPFR, FFTW, CLN and GiNaC ship pkg-config
-# files only, Arb nothing.
+# The libraries that steadyslide's own libraries link. The build includes this file and needs all of them. The config
+# file of the installed package includes it and looks for the libraries that its components need:
+# find_package(steadyslide COMPONENTS numeric) needs no GiNaC and no CLN; COMPONENTS steadyslide, the facade, needs none
+# of them. GMP, MPFR, FFTW, CLN and GiNaC ship only pkg-config files, Arb ships neither.
 
 set(needed_by_steadyslide "")
 set(needed_by_model Boost gmp)
@@ -24,12 +24,13 @@ endif()
 list(REMOVE_DUPLICATES needed)
 
 # find_package() REQUIRED in a config file would make an optional find_package(steadyslide) fatal, and find_dependency()
-# outside a config file leaves in silence. FindArb.cmake stands beside this file, here and in the installed package.
+# outside a config file returns without a message. FindArb.cmake is in the folder of this file, here and in the
+# installed package.
 list(PREPEND CMAKE_MODULE_PATH "${CMAKE_CURRENT_LIST_DIR}")
 set(version_of_Boost 1.74)
 set(version_of_Eigen3 3.4)
 if(NOT CMAKE_FIND_PACKAGE_NAME STREQUAL "steadyslide")
-  # A project that takes steadyslide by add_subdirectory links these targets from a directory above this one.
+  # A project that uses steadyslide by add_subdirectory links these targets from a parent directory.
   set(CMAKE_FIND_PACKAGE_TARGETS_GLOBAL ON)
   find_package(PkgConfig REQUIRED)
 elseif(needed)

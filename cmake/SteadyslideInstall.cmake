@@ -1,19 +1,19 @@
-# What `cmake --install` puts where, and the package that find_package(steadyslide) finds: targets steadyslide::steadyslide, the facade, steadyslide::model,
-# steadyslide::symbolic, steadyslide::statements, steadyslide::numeric, steadyslide::enclosure, steadyslide::proofs_checks;
-# headers as in the sources ("model/rational.hpp").
-# A project that takes steadyslide by add_subdirectory installs itself, not us.
+# Install rules, and the package for find_package(steadyslide): targets steadyslide::steadyslide, the facade,
+# steadyslide::model, steadyslide::symbolic, steadyslide::statements, steadyslide::numeric, steadyslide::enclosure,
+# steadyslide::proofs_checks; headers with the paths of the sources ("model/rational.hpp"). A project that uses
+# steadyslide by add_subdirectory installs itself, not us.
 
 option(STEADYSLIDE_INSTALL "Make the install rules" ${PROJECT_IS_TOP_LEVEL})
 if(NOT STEADYSLIDE_INSTALL)
   return()
 endif()
 
-# Components are those of the packages (SteadyslidePackages.cmake); what says nothing else is for development.
+# Components are those of the packages (SteadyslidePackages.cmake). The default component is `development`.
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
-# `cmake --install` and cpack take what is built.
+# `cmake --install` and cpack install the targets that are built.
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 
-# Manual pages and completions, from the program itself; problem files, scripts and reference problems.
+# Manual pages and completions, which the program itself writes; problem files, scripts and reference problems.
 function(steadyslide_install_manual)
   set(folder "${PROJECT_BINARY_DIR}/manual")
   find_program(STEADYSLIDE_GZIP gzip REQUIRED)
@@ -39,7 +39,7 @@ endfunction()
 include(CMakePackageConfigHelpers)
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/steadyslide")
 
-# Which headers are public is found when they are installed.
+# The public headers are found at the time of installation.
 set(public_folders "")
 foreach(layer IN ITEMS model symbolic statements numeric enclosure proofs_checks)
   if(TARGET steadyslide_${layer})
@@ -69,7 +69,7 @@ if(TARGET steadyslide_shared)
           DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/steadyslide")
   install(FILES "${PROJECT_SOURCE_DIR}/library/answer/quantities.hpp"
           DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/steadyslide/library/answer")
-  # Relative paths: the installed tree may be moved.
+  # The paths are relative, so that the installed tree can be moved.
   file(RELATIVE_PATH prefix_from_pc "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
   file(RELATIVE_PATH libdir_from_prefix "${CMAKE_INSTALL_PREFIX}" "${CMAKE_INSTALL_FULL_LIBDIR}")
   file(RELATIVE_PATH includedir_from_prefix "${CMAKE_INSTALL_PREFIX}" "${CMAKE_INSTALL_FULL_INCLUDEDIR}")
@@ -92,7 +92,7 @@ install(EXPORT steadyslideTargets NAMESPACE steadyslide:: DESTINATION "${package
 configure_package_config_file(
   "${CMAKE_CURRENT_LIST_DIR}/steadyslideConfig.cmake.in" "${CMAKE_CURRENT_BINARY_DIR}/steadyslideConfig.cmake"
   INSTALL_DESTINATION "${package_dir}")
-# Below 1.0 a minor version may break what the one before it allowed.
+# Below 1.0, a minor version may break compatibility.
 write_basic_package_version_file("${CMAKE_CURRENT_BINARY_DIR}/steadyslideConfigVersion.cmake"
                                  COMPATIBILITY SameMinorVersion)
 install(FILES

@@ -1,5 +1,5 @@
-# Debian packages of a release build: cpack -G DEB --config build/release/CPackConfig.cmake. What is installed belongs to a
-# component (SteadyslideInstall.cmake), and each component is a package:
+# Debian packages of a release build: cpack -G DEB --config build/release/CPackConfig.cmake. Every installed file
+# belongs to a component (SteadyslideInstall.cmake), and each component is a package:
 #
 #   program      steadyslide           the programs, their manual pages, completions, examples
 #   library      libsteadyslide<soname>  the shared library
@@ -7,7 +7,7 @@
 #   python       python3-steadyslide   the module
 #   sweep        steadyslide-sweep     sweeps in many processes, and as HDF5
 #
-# A component that the build does not have makes no package. Dependencies on libraries are dpkg-shlibdeps's.
+# A component that was not built makes no package. dpkg-shlibdeps finds the dependencies on libraries.
 
 find_program(STEADYSLIDE_SHLIBDEPS dpkg-shlibdeps)
 find_program(STEADYSLIDE_GZIP gzip)
@@ -31,7 +31,7 @@ if(TARGET steadyslide-sweep)
   set(sweep_package steadyslide-sweep)
 endif()
 
-# What every package has: copyright and changelog, the latter dated by CHANGELOG.md.
+# Files of every package: copyright and changelog. The date of the changelog is that of CHANGELOG.md.
 file(TIMESTAMP "${PROJECT_SOURCE_DIR}/CHANGELOG.md" changed "%a, %d %b %Y %H:%M:%S +0000" UTC)
 set(CPACK_PACKAGE_CONTACT "The steadyslide contributors <contributors@steadyslide.invalid>")
 file(WRITE "${PROJECT_BINARY_DIR}/debian/changelog" "steadyslide (${PROJECT_VERSION}) unstable; urgency=medium
@@ -47,7 +47,7 @@ foreach(component IN LISTS components)
           DESTINATION "${folder}" COMPONENT ${component})
 endforeach()
 
-# The module looks for the library beside it, wherever the tree stands.
+# The module looks for the library by a relative path, so that the tree can be moved.
 if(python_package)
   file(WRITE "${PROJECT_BINARY_DIR}/debian/${python_package}" "${python_package}: custom-library-search-path *\n")
   install(FILES "${PROJECT_BINARY_DIR}/debian/${python_package}"
@@ -70,7 +70,7 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(same "(= ${PROJECT_VERSION})")
 
-# Descriptions: a line, then paragraphs. The project's own would be put before each.
+# Descriptions: one line, then paragraphs. CPack would put the project's own description before each.
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")
 set(summary "steady sliding contact with discontinuous friction")
 set(subject "Steady sliding contact of an indenter on an elastic half-plane whose

@@ -10,8 +10,9 @@ include(GNUInstallDirs)
 
 function(steadyslide_compile_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
-  # Several sources in one translation unit: what they instantiate alike is compiled once, which halves the time. Names in
-  # unnamed namespaces then meet those of the target's other sources: one name for one thing.
+  # Compiles several sources in one translation unit: their common template instances are compiled once, which halves
+  # the time. Names in unnamed namespaces then meet those of the target's other sources, so each name must be unique
+  # within a target.
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${STEADYSLIDE_UNITY_BUILD})
   if(STEADYSLIDE_WARNINGS)
     # -Wrestrict of g++ 12 fires on every std::string assignment (GCC bug 105651).
@@ -20,8 +21,8 @@ function(steadyslide_compile_options target)
       target_compile_options(${target} PRIVATE -Werror)
     endif()
   endif()
-  # g++ looks for garbage whenever its heap has grown by 128 MB, and finds little: a fifth of the time of a file that
-  # reads Boost.Multiprecision.
+  # g++ collects garbage whenever its heap has grown by 128 MB, and finds little. Without that, a file that includes
+  # Boost.Multiprecision takes a fifth less time.
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     target_compile_options(${target} PRIVATE "SHELL:--param ggc-min-heapsize=524288")
   endif()
@@ -32,19 +33,19 @@ function(steadyslide_compile_options target)
   endif()
 endfunction()
 
-# Code whose time goes into what it calls: the numeric layer's loops, GMP, Arb, GiNaC.
+# For code that spends its time in the code that it calls: the numeric layer's loops, GMP, Arb, GiNaC.
 function(steadyslide_compile_quickly target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# Boost.Multiprecision alone takes two seconds a file to read. Precompiled are headers of other projects and never our own.
-# LIKE takes the headers that another target has precompiled; both have to be compiled alike. A header that a file uses and
-# does not include is missed in the sanitize build and by clang-tidy, which both read every file by itself.
+# Reading Boost.Multiprecision alone takes two seconds a file. Headers of other projects are precompiled, never our own.
+# LIKE uses the headers that another target has precompiled; both targets need the same compiler options. The sanitize
+# build and clang-tidy read every file by itself: they find a header that a file uses and does not include.
 function(steadyslide_precompile target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "LIKE" "HEADERS")
   if(STEADYSLIDE_PRECOMPILED_HEADERS AND arg_LIKE)
     target_precompile_headers(${target} REUSE_FROM ${arg_LIKE})
-    # A program is -fPIE, what a library has precompiled is -fPIC, and g++ refuses the other's.
+    # A program is compiled with -fPIE, precompiled headers of a library with -fPIC. g++ refuses the mixture.
     get_target_property(type ${target} TYPE)
     if(type STREQUAL EXECUTABLE AND CMAKE_POSITION_INDEPENDENT_CODE)
       target_compile_options(${target} PRIVATE -fPIC)
@@ -53,19 +54,21 @@ function(steadyslide_precompile target)
     target_precompile_headers(${target} PRIVATE ${arg_HEADERS})
   endif()
   if(STEADYSLIDE_PRECOMPILED_HEADERS AND STEADYSLIDE_WARNINGS)
-    # libstdc++ silences these three inside <string> with pragmas, which g++ 12 forgets when the header is precompiled.
+    # libstdc++ silences these three warnings inside <string> with pragmas. g++ 12 forgets the pragmas when the header
+    # is precompiled.
     target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
   endif()
 endfunction()
 
-# All sources below the current folder, but programs (main.cpp, *_main.cpp): a new file is in the build by being there.
+# All sources below the current folder except programs (main.cpp, *_main.cpp). A new file needs no entry in a list.
 function(steadyslide_sources variable)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" "*.cpp")
   list(FILTER sources EXCLUDE REGEX "(^|/|_)main\\.cpp$")
   set(${variable} ${sources} PARENT_SCOPE)
 endfunction()
 
-# Adds to the sources in `variable` the one that has the files, one behind the other, as the text namespace::name.
+# Adds a source to the list in `variable`: it has the contents of the files, one after the other, as the text
+# namespace::name.
 function(steadyslide_embed variable namespace name)
   set(files "")
   foreach(file IN LISTS ARGN)

@@ -1,6 +1,6 @@
-# cmake -D FOLDER=proofs_checks/claims -D OUTPUT=claim_list.cpp -P claims.cmake: the list that kit/registry.hpp declares,
-# from the pairs NAME.cpp and NAME.md below FOLDER, and the texts that are a claim without a source. Each claim has a
-# namespace of its own, so that the sources can be compiled together.
+# cmake -D FOLDER=proofs_checks/claims -D OUTPUT=claim_list.cpp -P claims.cmake: writes the list that kit/registry.hpp
+# declares, from the pairs NAME.cpp and NAME.md below FOLDER, and from the texts that are a claim without a source. Each
+# claim has a namespace of its own, so that the sources can be compiled together.
 file(GLOB_RECURSE texts RELATIVE "${FOLDER}" "${FOLDER}/*.md")
 set(declarations "")
 set(entries "")

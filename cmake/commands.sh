@@ -1,15 +1,16 @@
 # shellcheck shell=bash
-# What ./verify, ./check, ./solve, site/build and explorer/build have in common; sourced, never run. All that is said here
-# goes to stderr, so that stdout holds the result alone.
+# Common functions of ./verify, ./check, ./solve, site/build and explorer/build. Source this file, do not run it. All its
+# messages go to stderr, so that stdout holds only the result.
 
 root=$(dirname -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")")
-# The command as a person types it in the root: verify, site/build.
+# The command as a person types it in the root folder: verify, site/build.
 command_name=$(readlink -f -- "$(dirname -- "$0")")/$(basename -- "$0")
 [[ $command_name == "$root"/* ]] && command_name=${command_name#"$root"/} || command_name=$(basename -- "$0")
 
 say() { printf '%s: %s\n' "$command_name" "$*" >&2; }
 
-# fail STATUS MESSAGE: 2 for what the user can put right, 3 for what broke underway. 1 is left to the mathematics.
+# fail STATUS MESSAGE: status 2 for an error that the user can correct, 3 for a failure during the work. 1 is reserved
+# for mathematics.
 fail() {
   local status=$1
   shift
@@ -17,7 +18,7 @@ fail() {
   exit "$status"
 }
 
-# packages_for KIND...: the names that cmake/packages.txt lists under these kinds.
+# packages_for KIND...: prints the names that cmake/packages.txt lists under these kinds.
 packages_for() {
   local kind package
   while read -r kind package _; do
@@ -26,10 +27,10 @@ packages_for() {
   return 0
 }
 
-# missing_packages PACKAGE...: those of them that are not installed.
+# missing_packages PACKAGE...: prints those that are not installed.
 missing_packages() {
   local installed
-  # dpkg-query fails when it has never heard of one of them; that one is missing from its answer too.
+  # dpkg-query fails if it does not know one of the packages; that package is missing from its output, too.
   installed=$(dpkg-query --show --showformat='${Package} ${db:Status-Status}\n' "$@" 2>/dev/null) || true
   local package
   for package; do
@@ -42,20 +43,20 @@ apt_get() {
   local as_root=()
   if [[ $(id -u) != 0 ]]; then
     as_root=(sudo)
-    # Without a terminal nobody can type a password: fail at once instead of waiting.
+    # Without a terminal no password can be typed: fail at once and do not wait.
     [[ -t 0 ]] || as_root+=(--non-interactive)
   fi
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get --quiet -o DPkg::Lock::Timeout=120 "$@" >&2
 }
 
-# install_packages PACKAGE...: false if apt-get could not.
+# install_packages PACKAGE...: returns false if apt-get failed.
 install_packages() {
   say "installing with apt-get: $*"
   apt_get update || say "the package lists could not be refreshed; going on with those present"
   apt_get install --yes --no-remove --no-install-recommends -- "$@"
 }
 
-# require_packages INSTALL KIND...: with INSTALL = yes installs what is missing, otherwise refuses and names it.
+# require_packages INSTALL KIND...: installs missing packages if INSTALL = yes; otherwise names them and fails.
 require_packages() {
   local install=$1
   shift
@@ -77,7 +78,7 @@ require_packages() {
   install_packages "${missing[@]}" || fail 3 "apt-get could not install: ${missing[*]}"
 }
 
-# offer_packages INSTALL KIND...: the same for what can be done without.
+# offer_packages INSTALL KIND...: the same for optional packages.
 offer_packages() {
   local install=$1
   shift
@@ -90,7 +91,7 @@ offer_packages() {
   fi
 }
 
-# configure PRESET [OPTION...]: what CMake has to say is shown when it fails.
+# configure PRESET [OPTION...]: shows the output of CMake only if it fails.
 configure() {
   local output
   # CMake looks for presets in the current directory.

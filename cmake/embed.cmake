@@ -1,5 +1,5 @@
-# cmake -D INPUT=FILES -D NAMESPACE=name::space -D NAME=identifier -D OUTPUT=FILE.cpp -P embed.cmake: the files' bytes, one
-# behind the other, as a text in C++, extern const std::string_view name::space::identifier.
+# cmake -D INPUT=FILES -D NAMESPACE=name::space -D NAME=identifier -D OUTPUT=FILE.cpp -P embed.cmake: writes the bytes
+# of the files, one file after the other, as a text in C++, extern const std::string_view name::space::identifier.
 set(bytes "")
 foreach(input IN LISTS INPUT)
   file(READ "${input}" more HEX)

@@ -1,1 +1,1 @@
-// Headers of other projects are precompiled with a target, and a target has a source.
+// A target needs a source. This one is for the target that precompiles headers of other projects.

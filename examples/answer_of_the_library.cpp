@@ -1,5 +1,5 @@
-// A problem file's answer by the library alone: g++ -std=c++20 answer_of_the_library.cpp $(pkg-config --cflags --libs
-// steadyslide). The first argument is the file; without one, the problem is said here.
+// Prints the answer to a problem file, using only the library: g++ -std=c++20 answer_of_the_library.cpp $(pkg-config
+// --cflags --libs steadyslide). The first argument is the file; without one, the problem in this source is solved.
 
 #include <iostream>
 #include <steadyslide/steadyslide.hpp>

@@ -8,7 +8,7 @@ mpmath.mp.dps = 50
 print("effective friction: ", solution.effective_friction)
 print("traction at x = 1/2:", solution.traction("1/2"))
 
-# Every combination of two data, over all cores.
+# Every combination of two data, on all cores.
 table = ss.sweep(problem, {"friction.values[1]": ["0.3", "0.5"], "half_space.poisson": ["0.2", "0.3"]})
 for row in table:
     print(row["friction.values[1]"], row["half_space.poisson"], row["effective_friction"])

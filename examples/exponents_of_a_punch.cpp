@@ -1,4 +1,4 @@
-// Exponents are exact: their signs are decided, not computed, and they are evaluated to any precision afterwards.
+// Exponents are exact. Their signs are decided, not computed; then they are evaluated to any precision.
 
 #include <iostream>
 

@@ -3,7 +3,7 @@
 #   steadyslide solve PROBLEM --samples 400 --format csv -o solved.csv
 #   gnuplot -c examples/plot_pressure.gp solved.csv pressure.svg
 #
-# Where the pressure blows up the frame cuts it, at six times its median under the indenter.
+# An infinite pressure is cut by the frame, at six times the median pressure under the indenter.
 
 if (ARGC != 2) {
   print "usage: gnuplot -c plot_pressure.gp SOLVED PICTURE"

@@ -4,8 +4,8 @@
 #   steadyslide solve examples/rough_surface.toml --method variational --cells 65536 --at=-0.99975:0.99975:0.0005 --format csv -o solved.csv
 #   gnuplot -c examples/plot_rough_surface.gp solved.csv examples/rough_surface.csv rough_surface.svg
 #
-# The places of --at are the middles between the points of the trace. There psi is the mean of two points, and the surface
-# is psi - gap = u + C: where there is contact both curves are one.
+# The places of --at are the middles between the points of the trace. There psi is the mean of two points, and the
+# surface is psi - gap = u + C. In the contact both curves are the same.
 
 if (ARGC != 3) {
   print "usage: gnuplot -c plot_rough_surface.gp SOLVED TRACE PICTURE"

@@ -1,5 +1,5 @@
-// The pressure under a flat punch with two friction values, to 50 digits. The library's own types: exact problem in,
-// values with their errors out.
+// The pressure under a flat punch with two friction values, to 50 digits. It uses the library's own types: an exact
+// problem as input, values with their errors as output.
 
 #include <iostream>
 

@@ -40,7 +40,7 @@ int main(int argc, char** argv) {
 
   std::mt19937_64 generator(static_cast<unsigned>(given["seed"]));
   std::vector<double> height(static_cast<std::size_t>(points));
-  double power = 0;  // of all waves: the mean of the squared height
+  double power = 0;  // the mean of the squared height of all waves
   for (int k = first; k <= last; ++k) {
     const double phase = 2 * std::numbers::pi * static_cast<double>(generator() >> 11) * 0x1p-53;
     const double amplitude = std::pow(k, -given["hurst"] - 0.5);

@@ -1,4 +1,5 @@
-# cmake -D PAGE=folder -D MODULE=explorer.js -D OUTPUT=explorer.html -P assemble.cmake: one file of all.
+# cmake -D PAGE=folder -D MODULE=explorer.js -D OUTPUT=explorer.html -P assemble.cmake: makes one file of the page and
+# the module.
 cmake_minimum_required(VERSION 3.25)
 file(READ "${PAGE}/explorer.html" html)
 file(READ "${PAGE}/explorer.css" STYLE)

@@ -1,5 +1,5 @@
-// What the page may ask: a problem file's text in, numbers out, under the names that `steadyslide solve --format json` gives
-// them. Lists of places come as a Float64Array a column.
+// The functions that the page calls. They take the text of a problem file and return numbers, under the names of `solve
+// --format json`. A list of places is a Float64Array.
 
 #include <emscripten/bind.h>
 
@@ -25,7 +25,7 @@ using emscripten::val;
 using numeric::Estimate;
 using Solution = std::shared_ptr<const numeric::ContactSolution<double>>;
 
-/// Residuals above it are no solution's, as for the command line.
+/// A state with a larger residual is not a solution, as for the command line.
 constexpr double largest_residual = 1e-9;
 
 val text(std::string_view value) { return val(std::string(value)); }
@@ -36,7 +36,7 @@ val object(const std::vector<std::pair<const char*, val>>& entries) {
   return result;
 }
 
-/// A value of the page; null: unknown, or absent.
+/// A value for the page; null if it is unknown or absent.
 val shown(const Estimate<double>& estimate) {
   const bool known = std::isinf(estimate.value) || std::isfinite(estimate.error);
   return known ? val(estimate.value) : val::null();
@@ -54,7 +54,7 @@ val shown(const numeric::LargestPressure<double>& largest) {
   return object({{"value", shown(largest.value)}, {"x", shown(largest.x)}, {"exponent", shown(largest.exponent)}});
 }
 
-/// What an end of contact and a singular point have in common.
+/// The common members of an end of contact and a singular point.
 template <class Point>
 val point_object(const Point& point) {
   const std::optional<Exponent> exponent = point.exponent;
@@ -78,7 +78,7 @@ val shown(const std::vector<T>& values) {
   return result;
 }
 
-/// A copy that is JavaScript's own.
+/// A copy that JavaScript owns.
 val column(const std::vector<double>& values) {
   return val::global("Float64Array").new_(val(emscripten::typed_memory_view(values.size(), values.data())));
 }
@@ -107,7 +107,7 @@ val resultants(const ContactProblem& problem, const numeric::ContactSolution<dou
 
 class Explorer {
  public:
-  /// Empty, or what is wrong with the problem in one line. The solutions of both directions are then found.
+  /// Solves for both directions of sliding. Returns an empty text, or the error of the problem in one line.
   std::string solve(const std::string& problem_file) try {
     problem_.emplace(library::parse_problem(problem_file, "problem").contact);
     const bool forwards = problem_->sliding() == Sliding::plus_x;
@@ -134,7 +134,8 @@ class Explorer {
          {"unique", val(uniqueness(*problem_).proved)}});
   }
 
-  /// Surface: `count` places in each contact component and gap. A traction without bound is infinite; the profile is psi.
+  /// Samples of the surface: `count` places in each contact component and gap. An unbounded traction is infinite; the
+  /// profile is psi.
   val samples(int count) const {
     std::vector<double> x, traction, shear, gap, profile;
     for (const numeric::Sample<double>& sample : solution_->samples(count)) {
@@ -152,7 +153,7 @@ class Explorer {
                    {"profile", column(profile)}});
   }
 
-  /// The surface beyond the support, on the scale of the profile: psi - gap continued to these places.
+  /// Heights of the surface beyond the support, on the scale of the profile: psi - gap, continued to these places.
   val surface_at(const val& places) const {
     const std::vector<double> x = emscripten::convertJSArrayToNumberVector<double>(places);
     const Rational& left = problem_->indenter().left();
@@ -163,7 +164,8 @@ class Explorer {
     return column(result);
   }
 
-  /// von Mises stress at columns x rows points in the middle of cells of [left, right] x [0, depth], row by row downwards.
+  /// Von Mises stress at columns x rows points, in the middle of cells of [left, right] x [0, depth], row by row
+  /// downwards.
   val stresses(double left, double right, double depth, int columns, int rows) {
     std::vector<double> x, z;
     for (int row = 0; row < rows; ++row) {
@@ -182,7 +184,8 @@ class Explorer {
     return column(result);
   }
 
-  /// By a rule that no solver uses. `solved`: small enough for a solution, and no condition has failed.
+  /// Residuals by a rule that no solver uses. `solved`: they are small enough for a solution, and no condition has
+  /// failed.
   val residuals() const {
     const numeric::Residuals<double> found = solution_->residuals();
     bool solved = solution_->failed_condition().empty();

@@ -1,6 +1,6 @@
-# The double-only part (STEADYSLIDE_DOUBLE_ONLY), which has no GMP, MPFR, Arb, FFTW and GSL. Emscripten compiles it for the
-# Explorer, and the ordinary compiler for the tests (tests/explorer). It contains all of model/, numeric/ and the reader of
-# problem files, except the files below, and instead of them what is in double_only/:
+# The double-only part (STEADYSLIDE_DOUBLE_ONLY). It uses none of GMP, MPFR, Arb, FFTW and GSL. Emscripten compiles it for
+# the Explorer, and the ordinary compiler for the tests (tests/explorer). It contains model/, numeric/ and the reader of
+# problem files, except the files below. The files in double_only/ replace them:
 #
 #   mpfr_real, elementary         numbers with 50 and 100 digits; pi, and doubles of rationals, without MPFR
 #   double_exponential_grid       residuals above double
@@ -11,7 +11,7 @@
 #   profile_trace                 measured profiles, which are files
 set(double_only_folder "${CMAKE_CURRENT_LIST_DIR}")
 
-# steadyslide_double_only(<library>): makes the library of all layers; the options of its sources are the caller's.
+# steadyslide_double_only(<library>): makes the library of all layers; the caller sets the options of its sources.
 function(steadyslide_double_only name)
   get_filename_component(root "${double_only_folder}/.." ABSOLUTE)
   set(only_model "${root}")
@@ -22,7 +22,7 @@ quadrature/gsl_quadrature|variational/fourier|solution/solution_search|flat_punc
   set(only_library "library/(problem_file/|text/one_line|text/utf8)")
   set(not_library "library/problem_file/(profile_trace|surface_files|table_reader)")
 
-  # Headers alone, of Debian's packages: never /usr/include itself, which has the C library of another machine.
+  # Only the headers of Debian's packages; never /usr/include itself, which has the C library of another machine.
   set(headers "${CMAKE_CURRENT_BINARY_DIR}/include")
   file(MAKE_DIRECTORY "${headers}")
   foreach(package IN ITEMS boost fmt toml++)
@@ -32,7 +32,7 @@ quadrature/gsl_quadrature|variational/fourier|solution/solution_search|flat_punc
     file(CREATE_LINK "/usr/include/${package}" "${headers}/${package}" SYMBOLIC)
   endforeach()
 
-  # A target a layer, so that sources compiled together are those that are elsewhere (STEADYSLIDE_UNITY_BUILD).
+  # One target for each layer, so that the same sources are compiled together as elsewhere (STEADYSLIDE_UNITY_BUILD).
   add_library(${name} INTERFACE)
   foreach(layer IN ITEMS model numeric library)
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${root}/${layer}/*.cpp")
@@ -48,7 +48,7 @@ quadrature/gsl_quadrature|variational/fourier|solution/solution_search|flat_punc
     target_link_libraries(${name} INTERFACE ${name}_${layer})
   endforeach()
   set(one_by_one "${root}/numeric/number/power_product.cpp")
-  # One class in several sources, each with its part of it: clang wants to see them one by one.
+  # Some classes have their members in several sources. clang needs to compile these sources one by one.
   if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
     file(GLOB parts "${root}/numeric/riemann_hilbert/riemann_hilbert*.cpp" "${root}/numeric/closed_form/closed_form*.cpp")
     list(APPEND one_by_one ${parts})

@@ -1,5 +1,5 @@
-// The part of the Python module that calls the library; python/steadyslide/__init__.py is what a user sees. All work is
-// done with the interpreter's lock released.
+// The part of the Python module that calls the library. Users see python/steadyslide/__init__.py. All work is done with
+// the interpreter's lock released.
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -68,7 +68,7 @@ Array array_of(const std::vector<double>& values) {
   return Array(static_cast<py::ssize_t>(values.size()), values.data());
 }
 
-/// The functions `name`, of many places in double, and "each_NAME", of exact places.
+/// Defines the function `name`, for many places in double, and "each_NAME", for exact places.
 struct OfPlaces {
   const char* name;
   std::vector<double> (ss::Solution::*many)(std::span<const double>) const;
@@ -93,7 +93,7 @@ void define(py::class_<ss::Solution>& solution, const OfPlaces& of) {
   solution.def(("each_" + std::string(of.name)).c_str(), each, Released());
 }
 
-/// Values of the quantities, in the order of their table.
+/// Returns the values of the quantities, in the order of their table.
 py::list resultants(const ss::Solution& solution) {
   py::list list;
   const ss::Resultants found = released([&] { return solution.resultants(); });
@@ -105,7 +105,7 @@ std::array<std::optional<ss::Number>, 11> components(const ss::Stress& s) {
   return {s.xx, s.zz, s.xz, s.yy, s.mean, s.von_mises, s.largest_shear, s.ux_x, s.ux_z, s.uz_x, s.uz_z};
 }
 
-/// Values and errors of each component; None where there is none.
+/// Returns values and errors of each stress component; None if there is none.
 py::list stresses(const ss::Solution& solution, const Array& x, const Array& z) {
   const auto [places, depths] = std::pair(span_of(x), span_of(z));
   const std::vector<ss::Stress> states = released([&] { return solution.stress(places, depths); });
@@ -131,7 +131,8 @@ ss::Problem read_file(const std::string& file) {
   try {
     return released([&] { return ss::read_problem(file); });
   } catch (const std::system_error& error) {
-    // As Python's own open() does it: a FileNotFoundError, PermissionError, ... with errno, strerror and filename.
+    // Raises the error of Python's own open(): a FileNotFoundError, PermissionError, ... with errno, strerror and
+    // filename.
     errno = error.code().value();
     PyErr_SetFromErrnoWithFilename(PyExc_OSError, file.c_str());
     throw py::error_already_set();

@@ -105,7 +105,7 @@ class Block:
         values = self.fem(1)
         model.add_initialized_fem_data("exact", values, self.cut_stresses(values))
         model.add_normal_source_term_brick(mim, "u", "exact", CUT)
-        # All forces are in balance; three displacements at two corners take the rigid motions away.
+        # All forces are in balance. Three displacements at two corners prevent rigid motions.
         model.add_variable("rigid", 3)
         model.add_constraint_with_multipliers("u", "rigid", self.rigid(), np.zeros(3))
         model.solve()

@@ -1,4 +1,5 @@
-// steadyslide-sweep: the command sweep by itself, in as many processes as mpirun starts, with HDF5.
+// steadyslide-sweep: the command `sweep` as a program of its own. It runs in as many processes as mpirun starts, and
+// writes HDF5.
 
 #include <fcntl.h>
 #include <mpi.h>
@@ -16,7 +17,7 @@ namespace {
 using namespace steadyslide::app;
 
 int rank_of_process = 0;
-bool sweeping = false;  // in all processes
+bool sweeping = false;  // true in all processes or in none
 
 void send(const std::string& row) {
   MPI_Send(row.data(), static_cast<int>(row.size()), MPI_CHAR, 0, 0, MPI_COMM_WORLD);
@@ -45,7 +46,7 @@ std::uint64_t of_first(std::uint64_t number) {
   return number;
 }
 
-/// How many of the processes are on this machine.
+/// Returns the number of processes on this machine.
 int processes_here() {
   MPI_Comm here = MPI_COMM_NULL;
   MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &here);
@@ -58,7 +59,7 @@ int processes_here() {
 ExitCode run(const Given& given) {
   SweepOptions options = read_sweep_options(given);
   if (options.hdf5) options.wanted.written_as = hdf5_of;
-  // The cores of a machine are shared by its processes.
+  // The processes on a machine share its cores.
   if (!given.has("--jobs")) options.wanted.jobs = std::max(1, options.wanted.jobs / processes_here());
   Processes processes{rank_of_process, 1, send, receive, all, of_first};
   MPI_Comm_size(MPI_COMM_WORLD, &processes.count);
@@ -69,13 +70,13 @@ ExitCode run(const Given& given) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // Rows are sent by whichever thread has the next one, one at a time.
+  // Rows are sent by the thread that has the next one; only one thread sends at a time.
   int provided = MPI_THREAD_SINGLE;
   MPI_Init_thread(&argc, &argv, MPI_THREAD_SERIALIZED, &provided);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_of_process);
   const bool silent = rank_of_process != 0;
   if (silent) {
-    // What is wrong with the sweep is said once.
+    // Only one process reports the errors of the sweep.
     const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
     ::dup2(nowhere, STDOUT_FILENO);
     ::dup2(nowhere, STDERR_FILENO);

@@ -16,14 +16,14 @@
 namespace steadyslide::app {
 namespace {
 
-/// Of a handle or a status of the library, which are negative after an error.
+/// Throws if a handle or a status of the HDF5 library is negative, which means an error.
 template <class Result>
 Result checked(Result result) {
   if (result < 0) throw Failure(ExitCode::failed, "the HDF5 library has failed");
   return result;
 }
 
-/// A handle of the library.
+/// A handle of the HDF5 library.
 class Handle {
  public:
   Handle(hid_t id, herr_t (*close)(hid_t)) : id_(checked(id)), close_(close) {}
@@ -40,7 +40,7 @@ class Handle {
 
 using NamedCells = std::vector<std::string>;
 
-/// The columns of a table in CSV, each with its name first.
+/// Returns the columns of a table in CSV. The first cell of each is its name.
 std::vector<NamedCells> columns_of(std::string_view table) {
   std::vector<NamedCells> columns;
   for (const std::vector<std::string>& row : csv_rows(table)) {
@@ -50,7 +50,7 @@ std::vector<NamedCells> columns_of(std::string_view table) {
   return columns;
 }
 
-/// None unless every cell is a number or empty.
+/// Empty unless every cell is a number or empty.
 std::optional<std::vector<double>> numbers_of(const NamedCells& cells) {
   std::vector<double> numbers;
   for (std::size_t k = 1; k < cells.size(); ++k) {
@@ -69,7 +69,7 @@ hid_t string_type() {
   return type;
 }
 
-/// A dataset or an attribute's values.
+/// A dataset, or the values of an attribute.
 struct Data {
   hid_t type;
   const void* values;
@@ -89,7 +89,7 @@ void write(const Handle& file, const NamedCells& column, const Data& data) {
 
 std::string hdf5_of(const std::string& table) {
   checked(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr));
-  // In memory: who writes the bytes writes them whole or not at all.
+  // The file is made in memory: the caller writes its bytes as a whole or not at all.
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   checked(H5Pset_fapl_core(access, std::size_t{1} << 20, false));
   const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);

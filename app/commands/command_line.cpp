@@ -17,7 +17,7 @@
 namespace steadyslide::app {
 namespace {
 
-/// CLI11 ends the line itself.
+/// Returns the text without its last line end: CLI11 adds one.
 std::string last_line_open(std::string_view text) {
   return std::string(text.substr(0, text.find_last_not_of('\n') + 1));
 }
@@ -28,7 +28,7 @@ std::string commands_rule(const Program& program) {
   return fmt::format("it is one of {}", fmt::join(names, ", "));
 }
 
-/// `only`: the program does nothing else, and the command needs no name.
+/// `only`: the program has no other command, and the command needs no name.
 void add(CLI::App& app, const Program& program, const Command& command, bool only) {
   const std::size_t end = command.help.find("\n\n");
   CLI::App* added = only ? &app : app.add_subcommand(command.name, command.help.substr(0, end));
@@ -112,7 +112,7 @@ std::vector<std::string> names_of(std::initializer_list<Format> formats) {
 
 bool Given::has(const std::string& option) const {
   const CLI::Option& given = *options_.get_option(option);
-  const bool is_flag = given.get_expected_max() == 0;  // --quick=false says that it is not given
+  const bool is_flag = given.get_expected_max() == 0;  // --quick=false counts as absent
   return !given.empty() && (!is_flag || given.as<bool>());
 }
 

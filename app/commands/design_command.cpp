@@ -19,7 +19,7 @@ namespace {
 using numeric::Estimate;
 using numeric::Real;
 
-/// A coefficient of friction and its part of the contact.
+/// A coefficient of friction and its fraction of the contact.
 struct Coating {
   Rational friction;
   Rational fraction;
@@ -69,7 +69,7 @@ Failure refused(const Problem& problem, const std::string& what, const std::stri
   return {ExitCode::bad_input, fmt::format("{}: {}; {}; {}", problem.file, what, rule, value)};
 }
 
-/// By the lengths that each coefficient occupies.
+/// Each fraction is the length with this coefficient over the whole length.
 Coatings coatings_of_file(const Problem& problem) {
   const Indenter& punch = problem.contact.indenter();
   std::vector<Coating> coatings;
@@ -102,17 +102,17 @@ void check_punch(const Problem& problem) {
 
 struct Wanted {
   int digits;
-  int jumps;  ///< at most
+  int jumps;  ///< at most this many
   bool largest;
   bool smallest;
 };
 
-/// Entries of the ledger that a row rests on: that the layout is extreme, and what its friction is.
+/// The ids of two entries of the ledger behind a row: the layout is extreme; its friction.
 using Entries = std::vector<std::string>;
 Entries by_friction() { return {"flat-punch-effective-friction"}; }
 Entries by_extreme() { return {"flat-punch-extreme-layouts", "flat-punch-effective-friction"}; }
 
-/// The rows, computed in R.
+/// Computes the rows in R.
 template <Real R>
 class Designer {
  public:
@@ -161,7 +161,7 @@ class Designer {
     for (const Rational& f : friction) values.push_back(format_number(f, wanted_.digits));
     const R coupling = numeric::to_real<R>(coupling_);
     const Estimate<R> forth = effective.value();
-    // s_eff(-alpha) = difference - s_eff(alpha), and the other way coupling has the other sign.
+    // s_eff(-alpha) = difference - s_eff(alpha). For the other direction of sliding the coupling changes its sign.
     const Estimate<R> back = forth - effective.direction_difference();
     rows_.row({name, values, jumps, number(forth / coupling), number(back / coupling), by});
   }
@@ -183,7 +183,7 @@ class Designer {
         numeric::EffectiveFriction<R>(found.layout), by_extreme());
   }
 
-  /// The better one of rough | smooth and smooth | rough.
+  /// The better one of the layouts rough | smooth and smooth | rough.
   void one_jump(const std::string& name) {
     const auto layout = [&](const Coating& left, const Coating& right) {
       return numeric::EffectiveFriction<R>(
@@ -236,7 +236,7 @@ ExitCode run_design(const Given& given) {
              {"effective_friction_reversed", numbers},
              "by"},
             output);
-  // Never in double: the last of its digits are lost to rounding.
+  // Always with 50 digits or more: double loses its last digits to rounding.
   const numeric::Digits digits = std::max(numeric::precision_for(options.digits), numeric::Digits::fifty);
   try {
     numeric::at_precision(digits, [&]<Real R>() {

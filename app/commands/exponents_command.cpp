@@ -11,7 +11,7 @@
 namespace steadyslide::app {
 namespace {
 
-/// How each exponent comes about, and the closed form where there is one: as text, or as a LaTeX document.
+/// Writes the derivation of each exponent and of the closed form if there is one: as text, or as a LaTeX document.
 void write_derivations(const ContactProblem& problem, Format format, Output& output) {
   const std::vector<symbolic::Derivation> all = derivations(problem);
   if (format == Format::latex) return output.write(symbolic::latex_document(all));

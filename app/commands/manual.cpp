@@ -12,7 +12,7 @@
 namespace steadyslide::app {
 namespace {
 
-/// roff's own signs as themselves, on any line.
+/// Escapes the special characters of roff, anywhere in a line.
 std::string roff(std::string text) {
   boost::replace_all(text, "\\", "\\e");
   boost::replace_all(text, "-", "\\-");
@@ -23,7 +23,7 @@ std::string roff(std::string text) {
   return text;
 }
 
-/// Lines as they are, tables among them.
+/// Lines without any formatting, tables among them.
 std::string verbatim(std::string_view text) {
   const std::size_t end = text.find_last_not_of('\n') + 1;
   return text.substr(0, end).empty() ? "" : ".nf\n" + roff(std::string(text.substr(0, end))) + "\n.fi\n";
@@ -37,7 +37,7 @@ std::string entry(const Option& option) {
 
 bool is_option(const Option& option) { return option.name.starts_with('-'); }
 
-/// "-o" and "--output".
+/// Returns "-o" and "--output".
 std::vector<std::string> names_in(const Option& option) {
   const std::size_t comma = option.name.find(',');
   if (comma == std::string::npos) return {option.name};

@@ -1,5 +1,5 @@
 #pragma once
-// What a system wants of a program beside the program, from the same list of commands as --help.
+// The manual page and the bash completions of a program, made from the same list of commands as --help.
 
 #include <string>
 
@@ -7,10 +7,10 @@
 
 namespace steadyslide::app {
 
-/// A page for man(1), section 1.
+/// Returns a page for man(1), section 1.
 std::string manual_page(const Program& program);
 
-/// Completions for bash: commands, their options, the words that an option takes, and files.
+/// Returns completions for bash: commands, their options, the words that an option allows, and files.
 std::string bash_completion(const Program& program);
 
 }  // namespace steadyslide::app

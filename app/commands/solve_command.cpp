@@ -25,7 +25,7 @@ Failure inapplicable(const Problem& problem, Method method, const std::string& r
   return {ExitCode::bad_input, problem.file + ": " + reason};
 }
 
-/// A bar that follows one solve, or a search, on cells.
+/// A progress bar for one solve on cells, or for one search.
 std::function<void(std::size_t, std::size_t)> follow(Progress& progress) {
   return [&progress](std::size_t part, std::size_t whole) { progress.show(part, whole); };
 }
@@ -82,7 +82,7 @@ ExitCode solve_once(const SolveOptions& options, const Problem& problem) {
   if (options.certificate) certificate.emplace(*options.certificate);
   std::optional<Output> plot;
   if (options.plot) {
-    run_gnuplot("");  // without gnuplot the work would be for nothing
+    run_gnuplot("");  // fails early if gnuplot is missing
     plot.emplace(*options.plot);
     wanted.curve = true;
   }
@@ -101,7 +101,7 @@ ExitCode solve_once(const SolveOptions& options, const Problem& problem) {
 
 struct FollowedLoads {
   std::vector<LoadStep> steps;
-  std::string certificate;  ///< of two loads between which one contact set is proved throughout
+  std::string certificate;  ///< for two loads between which one contact set is proved throughout
 };
 
 FollowedLoads solved_steps(const SolveOptions& options, const Problem& problem, const std::vector<Rational>& loads) {
@@ -169,7 +169,7 @@ ExitCode follow_loads(const SolveOptions& options, const Problem& problem) {
                             failed.reason.empty() ? failed.failed_condition : failed.reason));
 }
 
-/// Not empty: there is no solution, and why.
+/// Returns the reason if the search found no solution; otherwise an empty text.
 std::string nothing_found(const SearchText& search) {
   if (search.solutions.empty()) return fmt::format("none of {} starts led to one", search.starts);
   for (const FoundText& found : search.solutions) {

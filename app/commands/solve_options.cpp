@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t max_places = 100000;
 constexpr std::size_t max_loads = 10000;
 constexpr int csv_samples = 101;
-/// What is proved beyond that takes minutes, unless the solution has a closed form.
+/// More proved digits take minutes, unless the solution has a closed form.
 constexpr int most_digits_of_integrals = 200;
 constexpr std::initializer_list<Format> formats{Format::text, Format::json, Format::csv};
 
@@ -25,7 +25,7 @@ std::string list(const Given& given, const std::string& option) {
   return given.text(option);
 }
 
-/// A combination of options, or of options and problem, that is refused.
+/// A combination of options, or of options and problem, that is not allowed.
 struct Refusal {
   bool applies;
   std::string what, rule, value;

@@ -1,5 +1,5 @@
 #pragma once
-// The command line of `steadyslide solve`, read and checked.
+// Reads and checks the command line of `steadyslide solve`.
 
 #include <optional>
 #include <string>
@@ -17,18 +17,18 @@ struct SolveOptions {
   CommonOptions common;
   std::string method_name;
   Method method;
-  std::string at;  ///< a list; empty: none
+  std::string at;  ///< a list; empty if absent
   std::optional<std::string> at_file;
   bool both_directions;
-  int samples;             ///< 0: none
-  std::string load_steps;  ///< a list; empty: the file's load
-  unsigned jobs;           ///< threads that certify
-  int search_starts;       ///< of a search for several solutions; 0: one solve
+  int samples;             ///< 0 for none
+  std::string load_steps;  ///< a list; empty for the load of the file
+  unsigned jobs;           ///< number of threads of a proof
+  int search_starts;       ///< starts of a search for several solutions; 0 for one solve
   std::optional<int> cells;
   std::optional<int> iterations;
   bool certify;
-  std::optional<std::string> certificate;  ///< a file
-  std::optional<std::string> plot;         ///< a file
+  std::optional<std::string> certificate;  ///< the file to write
+  std::optional<std::string> plot;         ///< the file to write
   FieldWanted field;
 
   numeric::VariationalOptions variational() const {
@@ -39,22 +39,23 @@ struct SolveOptions {
   }
 };
 
-/// What the command takes.
+/// The options of the command.
 std::vector<Option> solve_option_list();
 
-/// Throws Failure (exit code 2) for what is no value of an option, and for options that exclude each other.
+/// Throws Failure (exit code 2) if an option has an invalid value, and if options exclude each other.
 SolveOptions solve_options(const Given& given);
 
-/// Refuses options that the method does not take for this problem.
+/// Throws Failure for options that the method does not take for this problem.
 void check_method(const SolveOptions& options, const Problem& problem);
 
-/// The places of --at, then those of --at-file; stresses and forces. Reads files.
+/// Returns the places of --at, then those of --at-file, and the points and meshes of the options for stresses and
+/// forces. Reads files.
 SolutionWanted solution_wanted(const SolveOptions& options);
 
-/// Those of --load-steps.
+/// Returns the loads of --load-steps.
 std::vector<Rational> load_list(const std::string& text);
 
-/// As the file's name ends.
+/// Chooses the format by the ending of the file's name.
 Picture picture_of(const std::string& file);
 
 }  // namespace steadyslide::app

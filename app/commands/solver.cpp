@@ -59,7 +59,7 @@ std::vector<StretchText> Solver::between(const Problem& problem, const Rational&
        enclosure::follow_loads(problem.contact, from, to, contact_at, options)) {
     StretchText text = stretch_text(stretch, wanted_.solution.digits);
     if (stretch.interval) intervals_.push_back(*stretch.interval);
-    // Those proved one after the other are one branch.
+    // Two proved stretches in a row are one branch.
     if (!result.empty() && text.is_proved() && result.back().is_proved()) {
       result.back().to = text.to;
     } else {

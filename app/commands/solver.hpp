@@ -1,5 +1,5 @@
 #pragma once
-// Problems solved: the method that is asked for, in the precision that it takes.
+// Solves problems with the chosen method, in the precision that it needs.
 
 #include <functional>
 #include <memory>
@@ -14,28 +14,29 @@
 
 namespace steadyslide::app {
 
-/// Solves one problem after the other; the solver that iterates starts each from the solution before it, so that
-/// neighbouring problems in a row cost less and stay on one branch.
+/// Solves one problem after the other. The iterative solver starts each problem from the solution before it:
+/// neighbouring problems then cost less and stay on one branch.
 class Solver {
  public:
   struct Wanted {
     Method method = Method::automatic;
     SolutionWanted solution;
     numeric::VariationalOptions variational;
-    bool certify = false;      ///< proof, and enclosed numbers
-    bool certificate = false;  ///< for another program to prove again
-    unsigned jobs = 1;         ///< threads that certify
+    bool certify = false;      ///< make a proof, and enclose the numbers
+    bool certificate = false;  ///< write data with which another program can repeat the proof
+    unsigned jobs = 1;         ///< number of threads of a proof
   };
 
   explicit Solver(Wanted wanted) : wanted_(std::move(wanted)) {}
 
-  /// 16 digits are found in double; where double is not enough, 50 digits are found and 16 of them told. Where neither
-  /// solves, `automatic` asks cells. The variational method knows double only.
+  /// 16 digits are computed in double. If double is not enough, 50 digits are computed and 16 of them shown. If that
+  /// fails too, Method::automatic solves on cells. The variational method works only in double.
   SolutionText solve(const Problem& problem);
 
-  /// What is proved of all loads between two, left to right (enclosure/loads/load_path.hpp).
+  /// Proves the solutions for all loads between two. Returns the stretches from left to right
+  /// (enclosure/loads/load_path.hpp).
   std::vector<StretchText> between(const Problem& problem, const Rational& from, const Rational& to);
-  /// Of all stretches asked for so far, which were proved and follow each other.
+  /// Returns the certificate of all stretches so far. They have to be proved and consecutive.
   std::string loads_certificate(const Problem& problem) const { return certificate(problem.contact, intervals_); }
 
  private:
@@ -44,10 +45,11 @@ class Solver {
 
   template <numeric::Real R>
   SolutionText solve_in(const Problem& problem);
-  /// From what the solver finds, with more digits where that cannot be proved (library/proof/proved_contact.hpp).
+  /// Proves the solution that the solver finds; repeats with more digits if it cannot be proved
+  /// (library/proof/proved_contact.hpp).
   SolutionText solve_certified(const Problem& problem);
-  /// Returns the contact that the solver finds, and sets `text` to a function that makes the solution's text; it refers to
-  /// `problem`. If the solver finds none, returns nothing, and the text gives the reason.
+  /// Returns the contact that the solver finds, and sets `text` to a function that makes the solution's text; it refers
+  /// to `problem`. If the solver finds none, returns nothing, and the text gives the reason.
   template <numeric::Real R>
   std::optional<library::FoundContact> contact_in(const Problem& problem, std::function<SolutionText()>& text);
   SolutionText solve_on_cells(const Problem& problem) const;
@@ -57,7 +59,7 @@ class Solver {
   std::tuple<Solution<double>, Solution<numeric::Real50>, Solution<numeric::Real100>> last_;
 };
 
-/// The text of a variational solution, whose certificate weighs its residuals.
+/// The text of a variational solution; it judges its residuals itself.
 SolutionText text_on_cells(const Problem& problem, const numeric::ContactSolution<double>& solution,
                            SolutionWanted wanted);
 

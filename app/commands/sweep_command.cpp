@@ -14,7 +14,7 @@
 namespace steadyslide::app {
 namespace {
 
-/// The other program, with the options of this one, in its place.
+/// Replaces this process by the other program, with the same options.
 [[noreturn]] void run_beside(const Given& given) {
   std::error_code unknown;
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", unknown);

@@ -15,14 +15,14 @@ namespace steadyslide::app {
 namespace {
 
 constexpr std::size_t max_rows = 1000000;
-/// What a row says of the friction at one end of the contact.
+/// The friction at one end of the contact, as cells of a row.
 struct EndCells {
   Rational s;
   std::string friction;
   Cell alpha, edge, free;
 };
 
-/// An exponent as a text; where it is to be proved, with its error.
+/// An exponent as a text; if it is to be proved, with its error.
 struct ExponentCell {
   int digits;
   bool certify;

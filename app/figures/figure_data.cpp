@@ -48,7 +48,7 @@ class Data {
     std::string legend;
     for (std::size_t j = 0; j < panel.series.size(); ++j) {
       const Series& series = panel.series[j];
-      // Curves without a legend of their own belong to the one before.
+      // A curve without a legend takes the legend of the curve before it.
       if (!series.legend.empty()) legend = plain_text(series.legend);
       line("# panel {}, curve {}: {}{}", k, j + 1, name_of(series.look), legend.empty() ? "" : ", " + legend);
     }

@@ -1,9 +1,9 @@
 #pragma once
-// A figure's numbers as CSV: comments that say what the curves are and in which units, then
+// A figure's numbers as CSV: comments with the names and units of the curves, then
 //
 //   panel,curve,x,y,value
 //
-// one row for each point of each curve, in all digits of a double; `value` is that of a map, which is curve 0.
+// one row for each point of each curve, with all digits of a double. Only a map, which is curve 0, has a `value`.
 
 #include <string>
 
@@ -13,7 +13,7 @@ namespace steadyslide::app {
 
 std::string figure_data(const Figure& figure);
 
-/// Enhanced text as plain one: "{/:Italic t}_n" is "t_n".
+/// Returns enhanced text as plain text: "{/:Italic t}_n" becomes "t_n".
 std::string plain_text(const std::string& enhanced);
 
 }  // namespace steadyslide::app

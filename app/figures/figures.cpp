@@ -8,7 +8,7 @@
 #include "app/terminal/progress.hpp"
 #include "proofs_checks/kit/run.hpp"
 
-// The paper's first.
+// The figures of the paper come first.
 #define STEADYSLIDE_FOR_EACH_FIGURE(figure)                                                                      \
   figure(sketch) figure(reactions) figure(flat_punch) figure(friction_jump_rising) figure(friction_jump_falling) \
       figure(parabola) figure(local_forms) figure(coating_layouts) figure(contact_load) figure(convergence)      \
@@ -48,7 +48,7 @@ DrawnFigure draw(const Figure& figure, Picture picture) {
 
 std::vector<DrawnFigure> draw_figures(const std::vector<std::string>& patterns, unsigned jobs, Picture picture) {
   const std::vector<FigureMaker> wanted = selected(patterns);
-  // Before the work: without gnuplot it would be for nothing.
+  // Fails early if gnuplot is missing.
   run_gnuplot("");
   Progress progress(wanted.size());
   std::vector<DrawnFigure> result(wanted.size());

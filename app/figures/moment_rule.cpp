@@ -11,7 +11,7 @@ namespace {
 using R = numeric::Real50;
 using Form = numeric::TractionRepresentation<R>;
 
-/// How far the contact goes on in a segment: if it has ended there, nothing singular lies beyond.
+/// Returns the length of the contact in a segment, or infinity if there is no contact: then no singular point is near.
 R length_beyond(const numeric::ContactSet<R>& set, std::size_t segment) {
   const bool goes_on = segment < set.segments() && set.in_contact(segment);
   return goes_on ? set.length(segment) : numeric::infinity<R>();
@@ -24,7 +24,7 @@ struct Moments {
 void add(const Form& form, std::size_t k, int nodes, numeric::JacobiRules<R>& rules, Moments& moments) {
   using std::abs;
   const numeric::ContactSet<R>& set = form.set();
-  // Before the first segment, k - 1 is none.
+  // For k = 0, k - 1 is not a segment: the index is then too large.
   const numeric::Surroundings<R> around{true, true, length_beyond(set, k - 1), length_beyond(set, k + 1)};
   const R amplitude = form.sign(static_cast<std::ptrdiff_t>(k)) * form.problem().cos_alpha(form.friction_at(k));
   for (const numeric::GradedPanel<R>& panel : numeric::graded_panels(set.length(k), around)) {
@@ -37,7 +37,7 @@ void add(const Form& form, std::size_t k, int nodes, numeric::JacobiRules<R>& ru
     const numeric::UnitRule<R>& rule = rules.get(power, {R(0), R(1)}, nodes);
     const bool mirrored = panel.singular_end == Side::right;
     for (std::size_t i = 0; i < rule.size(); ++i) {
-      // The rule counts from the end with the power.
+      // The nodes of the rule are counted from the end with the power.
       const R from_left = panel.from_left + panel.length * (mirrored ? rule.from_right[i] : rule.from_left[i]);
       const R from_right = panel.from_right + panel.length * (mirrored ? rule.from_left[i] : rule.from_right[i]);
       const numeric::SurfacePoint<R> at = numeric::surface_point(set, k, from_left, from_right);

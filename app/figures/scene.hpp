@@ -11,10 +11,10 @@ struct Scene {
   std::shared_ptr<const numeric::ContactSolution<double>> solution = solved(problem);
 
   double profile(double x) const;
-  /// Inside the support.
+  /// The height of the surface at x inside the support.
   double surface(double x) const;
 
-  /// At equal steps from one place to another.
+  /// The curve at equal steps from one place to another.
   std::vector<Point> profile_curve(double from, double to) const { return points(&Scene::profile, from, to); }
   std::vector<Point> surface_curve(double from, double to) const { return points(&Scene::surface, from, to); }
 
@@ -22,7 +22,7 @@ struct Scene {
   std::vector<Point> points(double (Scene::*height)(double) const, double from, double to) const;
 };
 
-/// One unit is as long upwards as across: angles are those of the data. The y axis keeps its upper end.
+/// Makes a unit as long upwards as across, so that angles are true. The y axis keeps its upper end.
 void make_isotropic(Panel& panel, int height);
 
 }  // namespace steadyslide::app

@@ -1,5 +1,5 @@
 #pragma once
-// Problems of the figures, and their solutions by the two unrelated solvers.
+// Problems of the figures, and their solutions by two independent solvers.
 
 #include <array>
 #include <functional>
@@ -21,27 +21,28 @@ ContactProblem flat_punch(const Rational& poisson, std::vector<Rational> frictio
 /// A rigid parabola psi = x^2/2 with the support [-1, 1], E = 1, plane strain, sliding to the right.
 ContactProblem parabola(const Rational& poisson, std::vector<Rational> friction, const Rational& load,
                         std::vector<Rational> jumps = {});
-/// Two rigid bumps psi = (x^2-1)^2/4 with the support [-2, 2] over a friction jump from 0.1 to 0.7 at 0, E = 1, nu = 3/10.
+/// Two rigid bumps psi = (x^2-1)^2/4 with the support [-2, 2] over a friction jump from 0.1 to 0.7 at 0, E = 1, nu =
+/// 3/10.
 ContactProblem two_bumps();
 
-/// By a closed form, or by the Riemann-Hilbert method where there is none. This and the next two throw
-/// std::runtime_error where the problem is not solved.
+/// Solves by a closed form, or by the Riemann-Hilbert method if there is none. This and the next two functions throw
+/// std::runtime_error if the problem is not solved.
 std::shared_ptr<const numeric::ContactSolution<double>> solved(const ContactProblem& problem);
 std::shared_ptr<const numeric::RiemannHilbertSolution<double>> solved_by_singular_functions(
     const ContactProblem& problem, const numeric::ContactSolution<double>* start = nullptr);
 std::shared_ptr<const numeric::VariationalSolution> solved_on_cells(const ContactProblem& problem, std::size_t cells);
 
-/// -t against x at so many places of each contact zone, a gap in the curve after each. Places where t blows up are
-/// left out: the curve goes on beyond the frame.
+/// -t against x at `samples` places of each contact zone, with an interruption of the curve after each zone. Places
+/// with infinite t are left out: the curve leaves the frame.
 std::vector<Point> pressure_curve(const numeric::ContactSolution<double>& solution, int samples);
-/// -t against x of every `step`th cell in contact.
+/// -t against x for every `step`th cell in contact.
 std::vector<Point> pressure_of_cells(const numeric::VariationalSolution& solution, std::size_t step);
 
-/// As solved() solves it.
+/// The effective friction of the solution by solved().
 double effective_friction_of(const ContactProblem& problem);
 
-/// Effective friction for both directions of sliding: a line over these places for each, and marks by the solver on 1000 cells
-/// at every `step`th of them from `first_mark` on.
+/// Effective friction for both directions of sliding. For each direction there is a line over `places`, and marks by
+/// the solver on 1000 cells at every `step`th place from `first_mark` on.
 struct FrictionCurves {
   std::array<std::string, 2> legends;  ///< sliding to the right, to the left
   std::vector<Rational> places;
@@ -49,13 +50,13 @@ struct FrictionCurves {
   std::size_t first_mark = std::numeric_limits<std::size_t>::max(), step = 1;
   std::function<double(const ContactProblem&)> effective_friction = effective_friction_of;
 };
-/// Line, marks, line, marks, in styles from `style` on.
+/// Returns line, marks, line, marks, in styles from `style` on.
 std::vector<Series> friction_curves(const FrictionCurves& wanted, int style = 1);
 
-/// "symbol = its exponent", to four places.
+/// "symbol = its exponent", with four decimals.
 std::string exponent_text(const std::string& symbol, const numeric::SolvedSingularPoint<double>& point);
 
-/// A decimal with so many places, the minus sign as printed.
+/// A decimal with `places` decimals, and with the minus sign of print.
 std::string decimal(double value, int places);
 
 }  // namespace steadyslide::app

@@ -45,7 +45,7 @@ Panel stress_panel(const numeric::ContactSolution<double>& solution, const Conta
   const numeric::InteriorStress<double> interior(solution);
   HeatMap map{{}, {}, {}, 0, view.highest, "von Mises stress  (" + view.stress_name + ")", view.contours};
   std::vector<double> x;
-  // Middles of pixels: a singular point in the middle of the surface lies between two of them.
+  // Stresses at the middles of pixels: a singular point in the middle of the surface lies between two of them.
   for (int i = 0; i < columns; ++i) {
     map.x.push_back(view.width * (2 * (i + 0.5) / columns - 1));
     x.push_back(view.length * map.x.back());

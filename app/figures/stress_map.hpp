@@ -1,5 +1,5 @@
 #pragma once
-// Maps of von Mises' stress below a contact. The row at the surface is the limit of what lies below it.
+// Maps of von Mises' stress below a contact. The row at the surface is the limit from below.
 
 #include "app/gnuplot/figure.hpp"
 #include "numeric/interior/interior_stress.hpp"
@@ -12,23 +12,24 @@ namespace steadyslide::app {
 ContactProblem stress_map_problem();
 ContactProblem stress_parabola_problem();
 
-/// The limit of the stresses at a place of the surface that is no singular point, without error estimates: sigma_zz =
-/// t, sigma_xz = -t_t, sigma_xx = (1 - 2 gamma) t + 2 u_t'/c.
+/// The limit of the stresses at a place of the surface that is not a singular point, without error estimates: sigma_zz
+/// = t, sigma_xz = -t_t, sigma_xx = (1 - 2 gamma) t + 2 u_t'/c.
 numeric::StressState<double> surface_stress(const numeric::ContactSolution<double>& solution,
                                             const ContactProblem& problem, double x);
 
-/// The largest difference of sigma_zz and sigma_xz at the depth z from these, 0.25 away from the singular points of
-/// stress_map_problem().
+/// The largest difference of sigma_zz and sigma_xz between the depth z and the surface, 0.25 away from the singular
+/// points of stress_map_problem().
 double surface_error(const numeric::ContactSolution<double>& solution, const ContactProblem& problem,
                      const Rational& z);
 
-/// What a map shows: -width < x < width and 0 < z < depth in units of `length`, stresses in units of `stress`.
+/// The region and the scales of a map: -width < x < width and 0 < z < depth in units of `length`, stresses in units of
+/// `stress`.
 struct MapView {
   double length = 1;
   double stress = 1;
   double width;
   double depth;
-  double highest;  ///< stress of the last colour
+  double highest;  ///< the stress of the last colour
   std::string length_name;
   std::string stress_name;
   std::vector<double> contours;
@@ -37,7 +38,7 @@ struct MapView {
 Panel stress_panel(const numeric::ContactSolution<double>& solution, const ContactProblem& problem,
                    const MapView& view);
 
-/// Marks the largest stress at depths of at least `depth`, with its value, and returns it.
+/// Marks the largest stress at depths of at least `depth` with its value, and returns it.
 numeric::LargestStress<double> mark_largest(Panel& panel, const numeric::ContactSolution<double>& solution,
                                             const MapView& view, double depth);
 

@@ -1,5 +1,5 @@
 #pragma once
-// A figure as data: what is drawn, and nothing about how. Numbers are in the units that the axis labels name.
+// A figure as data: the content of the drawing, not the way it is drawn. Numbers are in the units of the axis labels.
 //
 // Labels, legends and notes are in gnuplot's enhanced text: "{/:Italic t}_n" is an italic t with the index n. Title and
 // name are plain text; captions have formulas between backticks in the notation of claims.
@@ -16,7 +16,7 @@ struct Point {
   double y;
 };
 
-/// No number: a curve is interrupted here.
+/// Not a number: the curve is interrupted here.
 inline constexpr Point gap_in_curve{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
 
 struct Axis {
@@ -24,24 +24,24 @@ struct Axis {
   double from;
   double to;
   bool logarithmic = false;
-  double tics = 0;       ///< their distance; 0: as gnuplot has them
-  bool labelled = true;  ///< numbers at the tics
+  double tics = 0;       ///< the distance of the tics; 0 for gnuplot's choice
+  bool labelled = true;  ///< true: numbers at the tics
 
   Axis bare() const { return {"", from, to, logarithmic, tics, false}; }
 };
 
-/// Bars are thick lines, each from one point to the next, two by two; a band is one thick line; an area is what a curve
-/// encloses, in a light tint.
+/// The look of a curve. Bars are thick lines between points 1 and 2, 3 and 4, ...; a band is one thick line; an area is
+/// the region inside the curve, in a light tint.
 enum class Look { line, marks, bar, band, area };
 
 struct Series {
-  std::string legend;  ///< empty: none
+  std::string legend;  ///< empty for none
   Look look;
-  int style;  ///< colour, dashes and marks, from 1; styles differ in all three
+  int style;  ///< colour, dashes and marks, from 1; different styles differ in all three
   std::vector<Point> points;
 };
 
-/// In the units of the axes or, where `of_panel_` says so, as a part of the panel's width or height.
+/// In the units of the axes or, as `of_panel_` sets it, as a fraction of the panel's width or height.
 struct Place {
   double x;
   double y;
@@ -56,7 +56,7 @@ struct Note {
   std::string text;
   Align align = Align::left;
   int size = 14;
-  bool boxed = false;  ///< on white, to be read on a map
+  bool boxed = false;  ///< on white, so that it is readable on a map
 };
 
 /// A thin line, or an arrow.
@@ -66,8 +66,8 @@ struct Guide {
   bool arrow = false;
 };
 
-/// A function on a grid, row after row; values beyond `from` and `to` are drawn like these. From 0 on colours get
-/// darker; else they are those of two signs, and 0, in the middle, is white.
+/// A function on a grid, row after row. Values beyond `from` and `to` are drawn like these. If `from` is not negative,
+/// colours get darker from there on; otherwise there are colours for two signs, and 0, in the middle, is white.
 struct HeatMap {
   std::vector<double> x;
   std::vector<double> y;
@@ -80,7 +80,7 @@ struct HeatMap {
 
 enum class LegendAt { none, top_left, top_centre, top_right, right_of_centre, below };
 
-/// Where a panel's axes are, as parts of the figure's width and height.
+/// The place of a panel's axes, as fractions of the figure's width and height.
 struct Frame {
   double left, right, bottom, top;
 };
@@ -94,7 +94,7 @@ struct Panel {
   std::vector<Note> notes{};
   std::vector<Guide> guides{};
   std::optional<HeatMap> map{};
-  bool bare = false;  ///< no axes: a sketch
+  bool bare = false;  ///< a sketch without axes
 };
 
 struct Figure {
@@ -103,11 +103,11 @@ struct Figure {
   std::string caption;
   int height;  ///< the width is 800
   std::vector<Panel> panels;
-  int digits = 7;        ///< of the numbers drawn: fewer than what two runs could differ in
-  std::string origin{};  ///< what made it; empty: the command `figures`
+  int digits = 7;        ///< digits of the numbers in the script: fewer than those in which two runs could differ
+  std::string origin{};  ///< the command that made it; empty for the command `figures`
 
   std::string command() const { return origin.empty() ? "steadyslide figures --figure " + name : origin; }
-  /// The name with _ for -: what the SVG's ids begin with.
+  /// The name with _ for -: the beginning of the SVG's ids.
   std::string id_prefix() const;
 };
 

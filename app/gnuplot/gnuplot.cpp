@@ -15,7 +15,7 @@ namespace {
 
 [[noreturn]] void fail(const std::string& what) { throw Failure(ExitCode::failed, "gnuplot: " + what); }
 
-/// gnuplot shows the line it stumbles over, then says what is wrong.
+/// gnuplot shows the wrong line first, then the reason.
 std::string last_line(std::string text) {
   text.erase(text.find_last_not_of(" \t\r\n") + 1);
   if (text.empty()) return "no message";
@@ -23,7 +23,7 @@ std::string last_line(std::string text) {
   return text.substr(begin);
 }
 
-/// The text after the last ": ", or all of it.
+/// Returns the text after the last ": ", or the whole text if there is none.
 std::string after_last_colon(const std::string& text) {
   const std::size_t colon = text.rfind(": ");
   return colon == text.npos ? text : text.substr(colon + 2);
@@ -37,7 +37,7 @@ std::string run_gnuplot(const std::string& script) try {
       "exec /usr/bin/env -u GNUTERM LC_ALL=C.UTF-8 gnuplot --default-settings - > {} 2> {}", out.path(), err.path());
   std::FILE* const in = ::popen(command.c_str(), "w");
   if (in == nullptr) fail(std::string("cannot be run: ") + std::strerror(errno));
-  // A gnuplot that ends early must not end this process.
+  // If gnuplot ends early, SIGPIPE must not end this process.
   const auto on_broken_pipe = std::signal(SIGPIPE, SIG_IGN);
   const std::size_t written = std::fwrite(script.data(), 1, script.size(), in);
   const int status = ::pclose(in);

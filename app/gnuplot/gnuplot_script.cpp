@@ -13,8 +13,8 @@ namespace {
 
 constexpr int width = 800;
 
-/// Colours of Okabe and Ito, which colour blindness and a grey printer leave apart, each with dashes, a mark and a tint
-/// for areas of its own.
+/// Colours of Okabe and Ito: they stay distinct for the colour-blind and in grey print. Each has its own dashes, mark
+/// and tint for areas.
 struct Style {
   const char* colour;
   const char* dashes;
@@ -33,7 +33,7 @@ constexpr std::array<Style, 8> styles{{{"#0072b2", "1", 6, "#dfeaf3"},
 constexpr auto darker = "0 '#ffffe5', 0.15 '#fff7bc', 0.3 '#fec44f', 0.5 '#ec7014', 0.75 '#8c2d04', 1 '#3b0f02'";
 constexpr auto two_signs = "0 '#b35806', 0.25 '#f1a340', 0.5 '#ffffff', 0.75 '#998ec3', 1 '#542788'";
 
-/// In gnuplot's single quotes.
+/// A text in the single quotes of gnuplot.
 std::string quoted(const std::string& text) { return "'" + boost::replace_all_copy(text, "'", "''") + "'"; }
 
 const char* text_of(Align align) { return align == Align::left ? "left" : align == Align::centre ? "center" : "right"; }
@@ -101,7 +101,7 @@ class Script {
     line("set {}label {} offset {}", name, quoted(axis.label), name == 'x' ? "0,0.3" : "0.8,0");
     line("set {}range [{}:{}]", name, number(axis.from), number(axis.to));
     line("{} logscale {}", axis.logarithmic ? "set" : "unset", name);
-    // Tics at powers of ten whose numbers do not touch each other.
+    // Tics at powers of ten, far enough apart that their numbers do not touch.
     const double decades = axis.logarithmic ? std::log10(std::abs(axis.to / axis.from)) : 0;
     const bool by_tens = decades > 1.5 && decades < 24;
     std::string tics = axis.tics == 0 ? "autofreq" : number(axis.tics);
@@ -165,7 +165,7 @@ class Script {
       case LegendAt::right_of_centre: return "at graph 0.56, graph 0.97 left top";
       case LegendAt::below: break;
     }
-    // Below the axis's label.
+    // Below the label of the axis.
     return fmt::format("at screen {}, screen {} left top", number(panel.frame.left - 0.06),
                        number(panel.frame.bottom - 64.0 / figure_.height));
   }
@@ -208,14 +208,14 @@ class Script {
     line("unset contour");
     line("set surface");
     plots.push_back(fmt::format("$contours_{} using 1:2 with lines lw 0.8 lc rgb '#404040' dt 1 notitle", k));
-    // A label at the 46th point of each part of a contour: short contours have none.
+    // A label stands at the 46th point of each part of a contour. Short contours have no label.
     plots.push_back(
         fmt::format("$contours_{} using 1:2:(gprintf('%g', $3)) every 10000::45 "
                     "with labels boxed font ',11' notitle",
                     k));
   }
 
-  /// Enhanced text's signs as themselves.
+  /// Escapes the special characters of enhanced text.
   static std::string plain(const std::string& text) {
     std::string result;
     for (const char c : text)

@@ -13,7 +13,7 @@ std::string svg_escaped(std::string text) {
   return text;
 }
 
-/// The first element `name`, with this text in it.
+/// Replaces the text of the first element `name`.
 void set_element(std::string& svg, const std::string& name, const std::string& text) {
   const std::size_t begin = svg.find("<" + name + ">");
   const std::size_t end = svg.find("</" + name + ">");
@@ -22,8 +22,8 @@ void set_element(std::string& svg, const std::string& name, const std::string& t
   svg.replace(inside, end - inside, text);
 }
 
-/// What gnuplot's SVG lacks for a page that holds several: ids and references to them begin with the figure's name,
-/// title and description are the figure's, and fonts have others to fall back on.
+/// Completes gnuplot's SVG for a page with several pictures: ids and references to them begin with the figure's name,
+/// title and description are those of the figure, and fonts have fallbacks.
 std::string finished_svg(const std::string& svg, const Figure& figure) {
   std::string result = svg;
   for (const char* before : {" id='", " id=\"", "'#", "\"#", "(#"}) {
@@ -31,7 +31,7 @@ std::string finished_svg(const std::string& svg, const Figure& figure) {
       boost::replace_all(result, std::string(before) + id, before + figure.id_prefix() + "_" + id);
     }
   }
-  // Without it, blanks between upright and italic text are lost.
+  // Blanks between upright and italic text are lost if this attribute is absent.
   boost::replace_all(result, "<svg \n", "<svg xml:space=\"preserve\"\n");
   set_element(result, "title", svg_escaped(figure.title));
   set_element(result, "desc", svg_escaped(figure.caption + " Made by: " + figure.command()));

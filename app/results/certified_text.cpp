@@ -37,14 +37,14 @@ class CertifiedWriter {
       intensities.insert(intensities.end(), {left.intensity, right.intensity});
     }
     const Ball whole = solved.width();
-    for (Ball& x : ends) x = whole + (x - x.midpoint());  // relative to the contact's length
+    for (Ball& x : ends) x = whole + (x - x.midpoint());  // errors relative to the contact's length
 
     const std::vector<EnclosedSolution::Point> points = solution_.singular_points();
     set_singular_points(text_, points, *this);
     for (const EnclosedSolution::Point& point : points) intensities.push_back(point.intensity);
 
     text_.resultants = answer::resultants_of<ResultantsText>(solved, *this);
-    // What nothing encloses is not told.
+    // A number without an enclosure is not shown.
     text_.component_load.assign(text_.contact.size(), {});
     if (text_.contact.size() == 1) text_.component_load = {number(solved.forces().normal)};
 
@@ -58,20 +58,20 @@ class CertifiedWriter {
                     {"resultants", upper_text(relative_radius(solved.forces().load_share))}};
   }
 
-  // Texts of numbers (solution_text.hpp), and of quantities of the table (library/answer/quantities.hpp).
+  // Makes texts of numbers (solution_text.hpp), and of quantities of the table (library/answer/quantities.hpp).
   NumberText number(const Ball& ball) const { return number_text(ball, digits_); }
   NumberText intensity(const Ball& ball) const { return number(ball); }
   NumberText operator()(const Ball& ball) const { return number(ball); }
   static bool told() { return true; }
   int digits() const { return digits_; }
-  /// A finite largest pressure is not enclosed; an infinite one stays as it was found.
+  /// A finite largest pressure is not enclosed. An infinite one stays as the solver found it.
   ResultantsText::Largest operator()(EnclosedContact::NotEnclosed) const {
     const ResultantsText::Largest& found = text_.resultants.largest_pressure;
     return found.value.value == "inf" ? found : ResultantsText::Largest{};
   }
 
  private:
-  /// One number where the limits may be the same.
+  /// One number if the limits may be equal.
   LimitText limits(const EnclosedSolution::TwoSided& limits, const EnclosedSolution::TwoSided& traction) const {
     const auto& [left, right] = limits;
     if (left.is_infinity() || right.is_infinity()) {
@@ -86,7 +86,7 @@ class CertifiedWriter {
     const EnclosedSolution::TwoSided traction = solution_.traction(x);
     const auto shear = [&](const Ball& t, Side side) {
       const Rational ratio = problem_.shear_ratio(problem_.friction().piece(x, side));
-      if (ratio == 0) return Ball(0, t.bits());  // under an infinite pressure, too
+      if (ratio == 0) return Ball(0, t.bits());  // also under an infinite pressure
       return t.is_infinity() ? Ball::infinity(-sign(ratio), t.bits()) : Ball(ratio, t.bits()) * t;
     };
     const std::optional<Ball> gap = solution_.gap(x);
@@ -134,7 +134,7 @@ void certify(SolutionText& text, const Problem& problem, const enclosure::Contac
   CertifiedWriter(text, problem, proof, wanted.digits, threads).write(places, wanted.field);
   told.certificate = certificate(problem.contact, proof, wanted.digits);
   text.proof = std::move(told);
-  // What the approximation could not vouch for is proved.
+  // The proof replaces the conditions that the approximation failed.
   text.failed_condition.clear();
   std::erase_if(text.warnings, [](const std::string& line) { return line.find(estimated_error_warning) != line.npos; });
   text.in_range = true;
@@ -143,7 +143,7 @@ void certify(SolutionText& text, const Problem& problem, const enclosure::Contac
 void add_bound(SolutionText& text, const Problem& problem, const enclosure::CellBound& bound) {
   BoundText told{bound.proved, bound.reason, bound.cells, {}, {}, {}};
   if (bound.proved) {
-    // A bound's digits are few: the error is told with the value.
+    // A bound has few digits: its error is shown with the value.
     const auto told_with_error = [](const Ball& ball) {
       constexpr int digits = 6;
       NumberText number = number_text(ball, digits);

@@ -1,5 +1,5 @@
 #pragma once
-// A proved solution as text: the numbers that its balls enclose in the place of those that a solver estimated.
+// A proved solution as text: numbers enclosed by balls replace the solver's estimates.
 
 #include "app/results/solution_text.hpp"
 #include "enclosure/cells/cell_bound.hpp"
@@ -7,13 +7,13 @@
 
 namespace steadyslide::app {
 
-/// `text` is that of the approximation that the proof began with. Not proved: its numbers stay, and the reason is its
-/// failed condition. `threads` share the work on its numbers.
+/// Replaces the numbers in `text`, the text of the approximation from which the proof began. If the proof failed, the
+/// numbers stay, and the failed condition is the reason. `threads` threads share the work on the numbers.
 void certify(SolutionText& text, const Problem& problem, const enclosure::ContactProof& proof,
              const SolutionWanted& wanted, unsigned threads);
 
-/// Puts load shares and effective friction as the bound encloses them into the text of a solution on cells; not proved: the
-/// reason is its failed condition.
+/// Puts the enclosed load shares and the enclosed effective friction into the text of a solution on cells. If the bound
+/// is not proved, the failed condition is the reason.
 void add_bound(SolutionText& text, const Problem& problem, const enclosure::CellBound& bound);
 
 StretchText stretch_text(const enclosure::LoadStretch& stretch, int digits);

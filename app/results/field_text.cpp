@@ -14,7 +14,7 @@ using enclosure::Ball;
 using numeric::Estimate;
 using numeric::Real;
 
-/// What `forces` makes of the mesh, which knows its file.
+/// Returns what `forces` returns. An error of the mesh becomes one with the file and the line.
 template <class Forces>
 auto on_mesh(const MeshFile& mesh, const Forces& forces) {
   try {
@@ -24,7 +24,7 @@ auto on_mesh(const MeshFile& mesh, const Forces& forces) {
   }
 }
 
-/// Texts of numbers, and whether all are in range.
+/// Makes texts of numbers, and notes whether all are in range.
 class NumberWriter {
  public:
   explicit NumberWriter(int digits) : digits_(digits) {}
@@ -48,7 +48,7 @@ class NumberWriter {
   bool in_range_ = true;
 };
 
-/// In balls, what stress_state.hpp says of estimates.
+/// Stresses as balls; stress_state.hpp does the same for estimates.
 struct EnclosedState {
   Ball xx, zz, xz;
   std::optional<Ball> yy{};

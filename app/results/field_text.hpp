@@ -1,6 +1,6 @@
 #pragma once
-// What a solution makes of the body and of a mesh of its surface, as texts: stresses and displacement gradients at points,
-// the largest von Mises stress, consistent nodal forces.
+// Stresses and displacement gradients at points of the body, the largest von Mises stress, and consistent nodal forces
+// on a mesh of the surface, as texts.
 
 #include <array>
 #include <memory>
@@ -17,17 +17,17 @@ namespace steadyslide::app {
 
 using namespace library;
 
-/// All of these are empty, or null, where not asked for.
+/// Every member is empty, or null, if the user did not request it.
 struct FieldWanted {
   std::vector<DepthPoint> points;
   std::shared_ptr<const MeshFile> mesh;
   bool largest_stress = false;
-  std::optional<Rational> depth;  ///< of the largest stress at least; absent: numeric::default_depth
+  std::optional<Rational> depth;  ///< the smallest depth for the largest stress; absent for numeric::default_depth
 
   bool any() const { return !points.empty() || mesh || largest_stress; }
 };
 
-/// Empty texts where the problem has no materials.
+/// Texts are empty if the problem has no materials.
 struct StressText {
   std::string x, z;
   NumberText xx, zz, xz, yy, von_mises, largest_shear;
@@ -40,29 +40,29 @@ struct NodalForceText {
 };
 
 struct LargestStressText {
-  std::vector<NumberText> unbounded_at;  ///< places of the surface
-  std::string depth;                     ///< the least one looked at
+  std::vector<NumberText> unbounded_at;  ///< places of the surface with unbounded stress
+  std::string depth;                     ///< the smallest depth that was searched
   NumberText von_mises, x, z;
-  bool proved = false;  ///< that the stress at this place is von_mises: the largest one is not below that
+  bool proved = false;  ///< true: proved that the largest stress is at least von_mises
 };
 
 struct FieldText {
   std::vector<StressText> stresses;
   std::vector<NodalForceText> nodal_forces;
   std::optional<LargestStressText> largest_stress;
-  bool in_range = true;  ///< false: some value is no number
+  bool in_range = true;  ///< false: some value is NaN or infinite
 };
 
-/// Throws InvalidFile where contact lies outside the mesh.
+/// Throws InvalidFile if contact lies outside the mesh.
 template <numeric::Real R>
 FieldText field_text(const numeric::ContactSolution<R>& solution, const FieldWanted& wanted, int digits);
 
-/// Enclosed: no largest stress.
+/// The same with enclosed numbers; it has no largest stress.
 FieldText field_text(const ContactProblem& problem, const enclosure::EnclosedSolution& solution,
                      const FieldWanted& wanted, int digits);
 
-/// Encloses the stress at the place where a solver found the largest one: a lower bound. Where that is at the surface,
-/// the stress at a depth of 1e-15 of the indenter's width.
+/// Encloses the stress at the place where a solver found the largest one. This is a lower bound of the largest stress.
+/// If the place is at the surface, it takes the stress at a depth of 1e-15 of the indenter's width.
 LargestStressText lower_bound(const ContactProblem& problem, const enclosure::EnclosedSolution& solution,
                               LargestStressText found, int digits);
 

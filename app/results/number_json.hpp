@@ -1,5 +1,6 @@
 #pragma once
-// Numbers with an error in JSON: {"value", "error"}, an estimate; {"mid", "rad"}, proved. All are texts, null where not known.
+// Numbers with an error in JSON: {"value", "error"} is an estimate, {"mid", "rad"} is proved. All are texts; unknown
+// ones are null.
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -8,7 +9,7 @@
 
 namespace steadyslide::app {
 
-/// A text; null where it is empty.
+/// A text; null if it is empty.
 nlohmann::ordered_json text_json(const std::string& text);
 
 /// A number with its error.

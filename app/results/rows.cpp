@@ -14,7 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Holds = Column::Holds;
 
-/// A cell's words, or this text of its number, or of each of its numbers.
+/// The words of a cell, or one of the texts of its number or numbers.
 std::vector<std::string> texts(const Cell& cell, std::string NumberText::*text) {
   if (const auto* word = std::get_if<std::string>(&cell)) return {*word};
   if (const auto* words = std::get_if<std::vector<std::string>>(&cell)) return *words;
@@ -37,7 +37,7 @@ Json json_of(const Cell& cell) {
   return list;
 }
 
-/// Aligned: all rows are kept until the widths are known.
+/// Aligned text. It keeps all rows until the widths are known.
 class TextRows final : public RowWriter {
  public:
   TextRows(std::vector<Column> columns, Output& output)
@@ -74,7 +74,7 @@ class TextRows final : public RowWriter {
 
   std::vector<std::size_t> widths_;
   std::string text_;               // all cells, one after the other
-  std::vector<std::size_t> ends_;  // where each ends
+  std::vector<std::size_t> ends_;  // the end of each cell in text_
 };
 
 /// An array of objects, the columns' names as keys.
@@ -95,7 +95,7 @@ class JsonRows final : public RowWriter {
   bool first_ = true;
 };
 
-/// RFC 4180, with line feeds; the errors behind everything else.
+/// RFC 4180, with line feeds. The errors are the last columns.
 class CsvRows final : public RowWriter {
  public:
   CsvRows(std::vector<Column> columns, Output& output) : RowWriter(std::move(columns), output) {
@@ -147,7 +147,7 @@ class MarkdownRows final : public RowWriter {
   }
 };
 
-/// "1.5e-30" as 1.5 \cdot 10^{-30}, any other number as it is; empty if the text is no number.
+/// Returns "1.5e-30" as 1.5 \cdot 10^{-30}, other numbers unchanged; empty if the text is not a number.
 std::string number_for_math_mode(const std::string& text) {
   if (text.empty() || text.find_first_not_of("0123456789+-.e") != std::string::npos) return "";
   const std::size_t e = text.find('e');
@@ -155,7 +155,7 @@ std::string number_for_math_mode(const std::string& text) {
   return fmt::format("{} \\cdot 10^{{{}}}", text.substr(0, e), text.substr(e + 1));
 }
 
-/// The page is made as wide as the table: the columns are measured by their longest cell.
+/// The page is as wide as the table. The longest cell of a column sets its width.
 class LatexRows final : public RowWriter {
  public:
   LatexRows(std::vector<Column> columns, Output& output) : RowWriter(std::move(columns), output) {
@@ -210,7 +210,7 @@ std::unique_ptr<RowWriter> make(std::vector<Column> columns, Output& output) {
   return std::make_unique<Writer>(std::move(columns), output);
 }
 
-/// In the order of Format.
+/// Writers in the order of Format.
 constexpr std::array writers{make<TextRows>, make<JsonRows>, make<CsvRows>, make<MarkdownRows>, make<LatexRows>};
 
 }  // namespace

@@ -1,7 +1,7 @@
 #pragma once
-// Rows of a table in every output format: aligned text, a JSON array of objects, CSV, Markdown, and a LaTeX document
-// that compiles as it is. Of numbers with an error a text shows the digits that the error supports; CSV has all digits and,
-// after the other columns, one column NAME_error for each of these; JSON writes them as number_json.hpp says.
+// Rows of a table in every output format: aligned text, a JSON array of objects, CSV, Markdown, and a complete LaTeX
+// document. For a number with an error, text shows the digits that the error supports; CSV has all digits and, after
+// the other columns, a column NAME_error; JSON has the form of number_json.hpp.
 
 #include <initializer_list>
 #include <memory>
@@ -33,7 +33,7 @@ struct Column {
   Holds holds;  ///< formulas are for LaTeX's math mode; numbers have an error
 };
 
-/// A text or texts, a number or numbers: several are an array in JSON, separated by spaces elsewhere.
+/// A text or texts, a number or numbers. Several of them are an array in JSON, and are separated by spaces elsewhere.
 using Cell = std::variant<std::string, std::vector<std::string>, NumberText, std::vector<NumberText>>;
 
 /// Rows in one format.
@@ -54,7 +54,7 @@ class Rows {
  public:
   Rows(Format format, std::vector<Column> columns, Output& output);
 
-  /// In a text what is empty is "-": it could not be told from its neighbour.
+  /// In a text an empty cell is "-", so that columns stay visible.
   void row(const std::vector<Cell>& cells) { writer_->row(cells); }
   /// Call once, after the last row.
   void end() { writer_->end(); }
@@ -63,12 +63,13 @@ class Rows {
   std::unique_ptr<RowWriter> writer_;
 };
 
-/// A field of CSV as RFC 4180 has it.
+/// Returns a field of CSV according to RFC 4180.
 std::string csv_field(const std::string& text);
 
-/// The fields of each line of a CSV text, which may be quoted, with "" for a quote and line breaks inside.
+/// Returns the fields of each line of a CSV text. Fields may be quoted, with "" for a quote and with line breaks
+/// inside.
 std::vector<std::vector<std::string>> csv_rows(std::string_view text);
-/// A text for LaTeX, outside of math mode.
+/// Escapes a text for LaTeX, outside of math mode.
 std::string latex_escaped(const std::string& text);
 
 }  // namespace steadyslide::app

@@ -12,13 +12,13 @@
 namespace steadyslide::app {
 namespace {
 
-/// Above, so many components are in the picture by their bars alone, and free ends without a mark.
+/// If there are more components, only their bars are drawn, and free ends have no mark.
 constexpr std::size_t most_marked_components = 4;
-/// Of a trace, more breaks than this are not seen.
+/// Breaks of a trace are drawn up to this number; more cannot be seen.
 constexpr std::size_t most_drawn_breaks = 20000;
 constexpr double largest_over_mean = 6;
-/// Rows of exponents above the tractions, their distance as a part of the panel's height, and what a character takes
-/// of its width.
+/// The rows of exponents above the tractions, their distance as a fraction of the panel's height, and the width of a
+/// character as a fraction of the panel's width.
 constexpr std::size_t label_rows = 3;
 constexpr double row_height = 0.072, character_width = 0.0125;
 
@@ -34,7 +34,7 @@ struct Range {
   double length() const { return to - from; }
 };
 
-/// Of a result's text; NaN where there is none.
+/// The number in a result's text; NaN if it is empty.
 double value_of(const std::string& text) {
   return text.empty() ? std::numeric_limits<double>::quiet_NaN() : std::strtod(text.c_str(), nullptr);
 }
@@ -93,7 +93,7 @@ class SolutionFigure {
     return {labelled ? "{/:Italic x}  (" + length_unit_ + ")" : "", x_.from, x_.to, false, 0, labelled};
   }
 
-  /// psi, with what the tilt adds, on one side of x.
+  /// psi plus the tilt, on one side of x.
   double height(const Rational& x, Side side) const {
     const double tilted = solution_.resultants.tilt ? value_of(solution_.resultants.tilt->value) * value_of(x) : 0;
     return value_of(problem_.contact.indenter().profile(x, side)(x)) + tilted;
@@ -107,7 +107,7 @@ class SolutionFigure {
       if (!x_.holds(value_of(x))) continue;
       const double left = height(x, Side::left), right = height(x, Side::right);
       profile.points.push_back({value_of(x), left});
-      // At a step the gap is that of one side.
+      // At a step the gap belongs to one side only.
       if (left == right) surface.points.push_back({value_of(x), left - value_of(sample.gap.value)});
     }
     add_breaks(profile.points);
@@ -117,7 +117,7 @@ class SolutionFigure {
         if (!std::isnan(point.y)) y.include(point.y);
       }
     }
-    // A flat punch fills its panel by the contact's length, and has the legend above it.
+    // The panel of a flat punch is filled by the contact's length; its legend stands above it.
     const bool flat = y.length() == 0;
     const double tall = flat ? 0.1 * contact_.length() : y.length();
     Panel panel{{0.12, 0.98, 0.575, 0.93},
@@ -129,7 +129,7 @@ class SolutionFigure {
     return panel;
   }
 
-  /// Corners of the profile, from the left and from the right, among its points.
+  /// Adds the corners of the profile, from the left and from the right, to its points.
   void add_breaks(std::vector<Point>& points) const {
     const Indenter& shape = problem_.contact.indenter();
     if (shape.pieces().size() > most_drawn_breaks) return;
@@ -173,13 +173,13 @@ class SolutionFigure {
     return panel;
   }
 
-  /// Does the pressure go to infinity anywhere? A logarithm has no power: its text counts as 0.
+  /// True if the pressure is infinite at some place. A logarithm has no power: its text counts as 0.
   bool is_infinite() const {
     return std::ranges::any_of(solution_.singular_points,
                                [](const SingularText& point) { return value_of(point.exponent.value) <= 0; });
   }
 
-  /// A limit that is infinite is left out: the curve goes on beyond the frame.
+  /// Leaves out an infinite limit: the curve leaves the frame.
   void add(std::vector<Point>& points, double x, double left, double right) {
     if (std::isfinite(left)) points.push_back({x, left});
     if (std::isfinite(right) && right != left) points.push_back({x, right});
@@ -196,11 +196,11 @@ class SolutionFigure {
     for (const Point& point : shear) {
       if (!std::isnan(point.y)) least = std::min(least, point.y);
     }
-    // Room for the legend above what is not cut, and above the lowest shear.
+    // Room for the legend above the curves that are not cut, and above the lowest shear.
     return {std::max(1.08 * least, -y.to), is_infinite() ? y.to : 1.32 * y.to};
   }
 
-  /// A line at each singular point and, where there is room for it, its exponent.
+  /// Draws a line at each singular point and, if there is room, its exponent.
   void mark(Panel& panel) {
     const bool free_ends = solution_.contact.size() <= most_marked_components;
     std::vector<double> taken(label_rows, -1);

@@ -1,14 +1,14 @@
 #pragma once
-// The picture of a solved problem: indenter, surface and contact zones above, pressure and tangential traction below, the
-// singular points marked with their exponents.
+// The picture of a solved problem. Above: indenter, surface and contact zones. Below: pressure and tangential traction.
+// The singular points are marked with their exponents.
 
 #include "app/gnuplot/figure.hpp"
 #include "app/results/solution_text.hpp"
 
 namespace steadyslide::app {
 
-/// Of a solution whose `curve` was asked for, lengths and stresses in the problem's own units. Tractions that go to
-/// infinity are cut at six times the mean pressure, as the legend says.
+/// Draws a solution that has its `curve`, with lengths and stresses in the problem's own units. Infinite tractions are
+/// cut at six times the mean pressure; the legend says so.
 Figure solution_figure(const Problem& problem, const SolutionText& solution);
 
 }  // namespace steadyslide::app

@@ -17,23 +17,24 @@ using numeric::Real;
 using numeric::TwoSided;
 using std::isinf, std::isnan;
 
-/// Do the limits differ by no more than their errors?
+/// True if the limits differ by no more than their errors.
 template <Real R>
 bool agree(const TwoSided<R>& limits) {
   using std::abs;
   const R errors = limits.left.error + limits.right.error;
-  // A part of the last digit more: the errors of f t are those of t, each times f and rounded.
+  // Allows for the rounding of the errors: the errors of f t are those of t times f, each rounded.
   return abs(limits.left.value - limits.right.value) <= errors * (1 + 4 * numeric::epsilon<R>());
 }
 
-/// Texts of numbers, and what is noticed on the way.
+/// Makes texts of numbers, and notes numbers out of range.
 template <Real R>
 class Writer {
  public:
   Writer(SolutionText& result, const SolutionWanted& wanted)
       : result_(result), wanted_(wanted.entries), digits_(wanted.digits) {}
 
-  /// The numbers of this entry follow: as texts if it is wanted, to be noticed in any case.
+  /// Announces the numbers of this entry. They become texts only if the entry is wanted; their range is checked in any
+  /// case.
   void tell(const char* entry) { told_ = wanted_.empty() || std::ranges::find(wanted_, entry) != wanted_.end(); }
 
   bool told() const { return told_; }
@@ -44,7 +45,7 @@ class Writer {
     return told_ ? number_text(estimate, digits_) : NumberText{};
   }
 
-  /// Of the singular traction at a place.
+  /// The coefficient of the singular traction at a place.
   NumberText intensity(const Estimate<R>& estimate) {
     notice(estimate, library::has_double<R>);
     return told_ ? number_text(estimate, digits_) : NumberText{};
@@ -62,7 +63,7 @@ class Writer {
   /// A sample that does not converge carries its error; the solution is still valid.
   SampleText sample(std::string x, const numeric::DetailedSample<R>& sample, const ContactProblem& problem) {
     const auto friction = [&](std::size_t piece) { return exact_text(problem.friction().values()[piece]); };
-    // Both or neither: |shear| = f |traction| holds on either side, not between the sides.
+    // Both have two limits or neither: |shear| = f |traction| holds on one side, not across the sides.
     const bool apart = !agree(sample.traction) || !agree(sample.shear);
     return {std::move(x),
             limits(sample.traction, sample.traction, apart),
@@ -76,7 +77,7 @@ class Writer {
                             : std::pair<std::string, std::string>()};
   }
 
-  /// Quantities of the table (library/answer/quantities.hpp).
+  /// Converts the quantities of the table (library/answer/quantities.hpp).
   NumberText operator()(const Estimate<R>& estimate) { return number(estimate); }
   ResultantsText::Largest operator()(const numeric::LargestPressure<R>& largest) {
     const bool infinite = isinf(largest.value.value);
@@ -112,7 +113,7 @@ class Writer {
   bool converged_ = true;
 };
 
-/// Places of a picture in each component and gap.
+/// The number of places of a picture in each component and gap.
 int curve_samples(std::size_t components) {
   return static_cast<int>(std::max<std::size_t>(3200 / std::max<std::size_t>(components, 8), 24));
 }
@@ -123,7 +124,7 @@ LimitText infinite_limits(const LimitText& limits, const LimitText& traction) {
   const auto is_infinite = [](const NumberText& number) { return number.value.ends_with("inf"); };
   const auto& [left, right, apart] = limits;
   const bool opposite = is_infinite(left) && is_infinite(right) && left.value != right.value;
-  // Without friction the shear stays 0 where the traction is infinite: both limits are printed.
+  // The shear stays 0 without friction, even where the traction is infinite. Both limits are then printed.
   const bool blows_up_alone =
       (is_infinite(traction.left) && !is_infinite(left)) || (is_infinite(traction.right) && !is_infinite(right));
   if (opposite || blows_up_alone) return limits;

@@ -1,5 +1,5 @@
 #pragma once
-// A solution as the texts that results show: the precision ends here, the writers see no numbers.
+// A solution as the texts that results show. From here on, no code depends on the precision.
 
 #include <optional>
 #include <string>
@@ -18,12 +18,11 @@ namespace steadyslide::app {
 
 using namespace library;
 
-/// One number, or two where the limits from left and right differ. An empty text, here and below: no number, or not
-/// known.
+/// One number, or two if the limits from left and right differ. Here and below, an empty text means NaN or not known.
 struct LimitText {
   NumberText left;
   NumberText right;
-  bool apart = false;  ///< two numbers, also where they are equal
+  bool apart = false;  ///< true: show two numbers, even if they are equal
 
   bool two_sided() const { return apart || left.value != right.value; }
 };
@@ -32,14 +31,14 @@ struct SampleText {
   std::string x;
   LimitText traction;
   LimitText shear;
-  NumberText gap;  ///< empty outside the support, too
+  NumberText gap;  ///< also empty outside the support
   LimitText slope;
   NumberText displacement{};
   LimitText shear_slope{};
   NumberText cumulative_load{};
-  std::pair<std::string, std::string> friction{};  ///< on the left and on the right; empty outside the support, too
+  std::pair<std::string, std::string> friction{};  ///< on the left and on the right; also empty outside the support
 
-  /// Does it take two rows?
+  /// True if it needs two rows.
   bool two_sided() const {
     return traction.two_sided() || shear.two_sided() || slope.two_sided() || shear_slope.two_sided() ||
            friction.first != friction.second;
@@ -59,65 +58,65 @@ struct SingularText {
   ExponentText exponent;
   NumberText intensity;
   NumberText constant;
-  LimitText stress_intensity{};  ///< at a jump two, else one
-  std::string unit{};            ///< of the stress intensity; empty for a logarithm
+  LimitText stress_intensity{};  ///< two numbers at a jump, one elsewhere
+  std::string unit{};            ///< unit of the stress intensity; empty for a logarithm
 };
 
 /// The exponent of the largest pressure is a text, "log" for a logarithm.
 using ResultantsText = answer::ResultantsOf<NumberText, std::string>;
 
-/// The size of something that has a name.
+/// The size of a named quantity.
 struct NamedSize {
   std::string name;
   std::string size;
 };
 
-/// What theorem 1 of the paper says of a solution where Uniqueness::proved.
+/// The statement of theorem 1 of the paper for a solution with Uniqueness::proved.
 inline constexpr const char* unique_by_theorem = "unique by theorem 1 of [Bal16]";
 
-/// What was proved of a solution, where that was asked for.
+/// The result of a proof, if one was requested.
 struct ProofText {
   bool proved = false;
-  std::string reason;  ///< why not, and where: x, if it is about a place
+  std::string reason;  ///< the reason of a failure; `x` is its place, if it has one
   std::string x;
-  long bits = 0;              ///< of the balls
-  std::size_t intervals = 0;  ///< on which signs were decided
-  std::string certificate;    ///< of a proved solution, docs/certificate.md
+  long bits = 0;              ///< bits of the balls
+  std::size_t intervals = 0;  ///< number of intervals on which signs were decided
+  std::string certificate;    ///< certificate of a proved solution, docs/certificate.md
 
   /// "reason; x = ..."
   std::string why_not() const { return x.empty() ? reason : reason + "; x = " + x; }
 };
 
-/// What was proved of pressures on cells, where that was asked for (enclosure/cells/cell_bound.hpp).
+/// The proved bounds for pressures on cells, if requested (enclosure/cells/cell_bound.hpp).
 struct BoundText {
   bool proved = false;
-  std::string reason;  ///< why not
+  std::string reason;  ///< the reason of a failure
   std::size_t cells = 0;
-  std::string energy;       ///< of the error, in units of c P^2: an upper bound
-  std::string largest_gap;  ///< under pressure, in units of c P
+  std::string energy;       ///< upper bound of the error's energy, in units of c P^2
+  std::string largest_gap;  ///< the largest gap under pressure, in units of c P
   std::string certificate;  ///< docs/certificate.md
 };
 
 struct SolutionText {
   std::string method;
-  std::string instead;  ///< not empty: the method took the place of another one, and why
+  std::string instead;  ///< not empty: another method failed before; the reason
   int digits = 0;
   std::vector<std::pair<EndText, EndText>> contact;
-  std::vector<NumberText> width, component_load;  ///< of each contact component
+  std::vector<NumberText> width, component_load;  ///< one for each contact component
   std::vector<SingularText> singular_points;
   ResultantsText resultants;
   std::vector<SampleText> samples;
   FieldText field;
-  std::vector<SampleText> curve;  ///< for a picture, left to right; of the solver where the rest is proved
-  std::vector<NamedSize> errors;  ///< estimated, relative; proved where the solution is
+  std::vector<SampleText> curve;  ///< for a picture, left to right; from the solver even if the rest is proved
+  std::vector<NamedSize> errors;  ///< relative; estimated, or proved if the solution is proved
   std::vector<NamedSize> residuals;
   Uniqueness uniqueness;
-  std::string reason;            ///< not empty: the method does not apply, and nothing else is here
-  std::string failed_condition;  ///< not empty: not a solution, and why
+  std::string reason;            ///< not empty: the method does not apply, and the other members are empty
+  std::string failed_condition;  ///< not empty: this is not a solution; the reason
   std::vector<std::string> warnings;
-  bool in_range = true;            ///< false: some value is no number, or near the end of the range of its type
-  std::optional<ProofText> proof;  ///< absent: not asked for
-  std::optional<BoundText> bound;  ///< the same, on cells
+  bool in_range = true;            ///< false: some value is NaN, or near the end of the range of its type
+  std::optional<ProofText> proof;  ///< absent if not requested
+  std::optional<BoundText> bound;  ///< the same for a solution on cells
 
   bool is_solved() const { return reason.empty() && failed_condition.empty(); }
 };
@@ -125,31 +124,34 @@ struct SolutionText {
 inline const char* name_of(Sliding sliding) { return sliding == Sliding::plus_x ? "+x" : "-x"; }
 inline Sliding opposite(Sliding sliding) { return sliding == Sliding::plus_x ? Sliding::minus_x : Sliding::plus_x; }
 
-/// What is proved of the loads between two that follow each other.
+/// A proof for all loads between two consecutive loads.
 struct StretchText {
   std::string from;
   std::string to;
   std::string status;  ///< proved, event or open
-  std::string words;   ///< what happens, or why nothing is proved
+  std::string words;   ///< the event, or the reason why nothing is proved
 
   bool is_proved() const { return status == "proved"; }
   bool is_open() const { return status == "open"; }
 };
 
-/// What of a solution is told, and what makes it one.
+/// The requested parts of a solution, and the limit for its residuals.
 struct SolutionWanted {
   int digits = 16;
-  std::vector<Rational> at{};  ///< samples at these places,
-  int samples = 0;             ///< and so many a component and a gap
+  std::vector<Rational> at{};  ///< the places of samples,
+  int samples = 0;             ///< and the number of samples in each component and gap
   FieldWanted field{};
-  bool curve = false;  ///< as many as a picture needs, 400 a component where these are few
-  /// Entries of the result (solve_json.hpp) that are told; the texts of others stay empty. None: all. All is computed.
+  bool curve = false;  ///< samples for a picture, 400 a component if there are few components
+  /// Entries of the result (solve_json.hpp) that become texts; other texts stay empty. Empty list: all entries.
+  /// Everything is computed in any case.
   std::vector<std::string> entries{};
-  /// A solution with a larger residual is none. Infinite for a method whose own failed_condition() weighs its residuals.
+  /// A state with a larger residual is not a solution. Infinite for a method whose failed_condition() judges its
+  /// residuals itself.
   double largest_residual = library::largest_residual;
 };
 
-/// Sets the ends of contact. `texts` makes texts of numbers: number(), intensity(); `told()` is false where they stay empty.
+/// Sets the ends of contact. `texts` makes texts of numbers with number() and intensity(); `told()` is false if texts
+/// stay empty.
 template <class Number, class Texts>
 void set_contact(SolutionText& text, const std::vector<ContactComponentOf<Number>>& contact, Texts& texts) {
   text.contact.clear();
@@ -164,10 +166,11 @@ void set_contact(SolutionText& text, const std::vector<ContactComponentOf<Number
   }
 }
 
-/// Limits of which one is infinite. A blow-up from one side only, at an edge, is one infinite text; infinities of both signs are
-/// two, and so are limits of which one is finite where the traction is infinite.
+/// Limits of which one is infinite. If the function is infinite from one side only, at an edge, there is one infinite
+/// text. Infinities of both signs are two texts. A finite and an infinite limit are two texts if the traction is
+/// infinite.
 LimitText infinite_limits(const LimitText& limits, const LimitText& traction);
-/// At a jump two numbers; at an end one, of the side in contact.
+/// Two numbers at a jump; at an end one, for the side in contact.
 LimitText stress_intensity_text(SingularKind kind, const NumberText& left, const NumberText& right);
 
 /// The same as set_contact() for singular points.
@@ -190,9 +193,9 @@ template <numeric::Real R>
 SolutionText solution_text(const Problem& problem, const numeric::ContactSolution<R>& solution,
                            const SolutionWanted& wanted);
 
-/// The limits as one number if they differ by no more than their errors, else as two: a blow-up from one side only, at
-/// an edge, is one infinite text. Where `apart`, limits that agree look like one only to a person: files keep what
-/// belongs to each side.
+/// The limits as one number if they differ by no more than their errors, otherwise as two. If the function is infinite
+/// from one side only, at an edge, there is one infinite text. With `apart`, both limits are kept for files even if
+/// they agree; a person sees one number.
 template <numeric::Real R>
 LimitText limit_text(const numeric::TwoSided<R>& limits, const numeric::TwoSided<R>& traction, int digits,
                      bool apart = false);

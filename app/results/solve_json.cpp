@@ -8,7 +8,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What json_of makes of each.
+/// An array of json_of(item) for each item.
 template <class List, class JsonOf>
 Json array(const List& list, JsonOf json_of) {
   Json result = Json::array();
@@ -28,7 +28,7 @@ Json json_of(const LimitText& limits) {
   return {{"left", number_json(limits.left)}, {"right", number_json(limits.right)}};
 }
 
-/// The object with more keys, each followed by what stands there.
+/// An object with more keys, each followed by its value.
 template <class Value, class... More>
 Json with(Json json, const char* key, const Value& value, const More&... more) {
   json[key] = json_of(value);
@@ -49,7 +49,7 @@ Json indenter(const ContactProblem& problem, const std::optional<MeasuredProfile
   const Indenter& shape = problem.indenter();
   Json json{{"support", numbers({shape.left(), shape.right()})}};
   if (measured) {
-    // The trace is named: its pieces can be many more than the results.
+    // Only the name of the trace: its pieces can be much longer than the results.
     json["samples"] = measured->file;
     json["points"] = measured->points;
     if (!measured->x_unit.empty()) json["x_unit"] = measured->x_unit;
@@ -71,7 +71,7 @@ Json indenter(const ContactProblem& problem, const std::optional<MeasuredProfile
   return json;
 }
 
-/// The problem as read, exact, defaults filled in.
+/// The problem as read: exact, with defaults filled in.
 Json problem_json(const ContactProblem& problem, const std::optional<MeasuredProfile>& measured) {
   Json json;
   json["load"] = exact_text(problem.load());
@@ -118,7 +118,7 @@ Json json_of(const std::optional<Value>& value) {
   return value ? json_of(*value) : Json();
 }
 
-/// Null where a solution has none of this name.
+/// Null if a solution has no quantity of this name.
 Json resultant_json(const SolutionText& solution, std::string_view name) {
   Json json;
   answer::for_each_quantity(solution.resultants, [&](const answer::Quantity& row, const auto& value) {
@@ -194,7 +194,7 @@ Json solution_json(const SolutionText& solution) {
   return json;
 }
 
-/// `Result`: a solution, or a search for several.
+/// `Result` is a solution, or a search for several solutions.
 template <class Result>
 Json uniqueness_json(const Result& result) {
   if (!result.failed_condition.empty()) return {{"status", "not_solved"}, {"reason", result.failed_condition}};
@@ -202,12 +202,12 @@ Json uniqueness_json(const Result& result) {
   return {{"status", proved ? unique_by_theorem : "not_covered"}, {"reason", reason}};
 }
 
-/// What opens every result.
+/// The beginning of every result.
 Json heading(const Problem& problem) {
   return {{"schema", 2}, {"version", version}, {"problem", problem_json(problem.contact, problem.measured)}};
 }
 
-/// The failed condition, uniqueness and warnings, which end every result.
+/// The end of every result: failed condition, uniqueness and warnings.
 template <class Result>
 Json finished(Json json, const Result& result) {
   json["failed_condition"] = text_json(result.failed_condition);
@@ -218,7 +218,7 @@ Json finished(Json json, const Result& result) {
 
 void write(const Json& json, Output& output) { output.write(json.dump(2) + "\n"); }
 
-/// A solution of a search: it has no samples.
+/// A solution of a search. It has no samples.
 Json found_json(const SolutionText& solution) {
   Json json = solution_json(solution);
   json.erase("samples");

@@ -9,10 +9,11 @@
 
 namespace steadyslide::app {
 
-/// What stands under this key of the result: "resultants", "contact", "warnings" ... Null for any other key.
+/// Returns the value of this key of the result: "resultants", "contact", "warnings" ... Null for any other key.
 nlohmann::ordered_json solution_entry(const SolutionText& solution, std::string_view key);
 
-/// What the next step from there leads to, made alone; "size" of a list: how many. Null where it leads to nothing.
+/// Returns only the part of that value to which the next step leads; "size" is the length of a list. Null if the step
+/// leads nowhere.
 nlohmann::ordered_json solution_entry(const SolutionText& solution, std::string_view key, const Step& next);
 
 }  // namespace steadyslide::app

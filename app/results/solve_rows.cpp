@@ -14,7 +14,7 @@ std::vector<T> joined(std::vector<T> first, const std::vector<T>& second, const 
   return first;
 }
 
-/// What a row says of a contact component, and of the contact that it belongs to.
+/// Columns for a contact component, and for the contact that it belongs to.
 const std::vector<Column> component_columns = joined<Column>(
     {number("left"), "left_kind", number("left_intensity")}, {number("right"), "right_kind", number("right_intensity")},
     {number("effective_friction"), number("centre_of_pressure"), number("load_share"), number("tilt")});
@@ -26,12 +26,12 @@ std::vector<Cell> component_cells(const SolutionText& whole, const Ends& compone
                       {of.effective_friction, of.centre_of_pressure, of.load_share, of.tilt.value_or(NumberText())});
 }
 
-/// The values, then what has no error; the errors follow.
+/// First the values, then columns without an error; the errors follow.
 const std::vector<Column> sample_columns{
     "x",         number("traction"),    number("shear"),           number("gap"), number("slope"),
     number("u"), number("shear_slope"), number("cumulative_load"), "friction",    "side"};
 
-/// Each row behind `first`.
+/// Each row begins with the cells `first`.
 void write_samples(const SolutionText& solution, const std::vector<Cell>& first, Rows& rows) {
   for (const SampleText& at : solution.samples) {
     const bool two = at.two_sided();

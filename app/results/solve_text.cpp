@@ -9,10 +9,10 @@
 namespace steadyslide::app {
 namespace {
 
-/// A person reads so many; other formats have all of them.
+/// The text shows at most this many; other formats have all of them.
 constexpr std::size_t most_load_shares = 10;
 
-/// What is not known, or no number, must not look like nothing: "-".
+/// An unknown value is shown as "-", not as an empty text.
 std::string shown(const std::string& text) { return text.empty() ? "-" : text; }
 std::string shown(const NumberText& number) { return shown(number.shown); }
 std::string shown(const LimitText& limits) {
@@ -27,13 +27,13 @@ void write_line(Output& output, const std::string& name, const std::string& valu
   output.write(fmt::format("  {:<22}{}\n", name, shown(value)));
 }
 
-/// Load, direction and coupling constant.
+/// Writes load, direction and coupling constant.
 void write_problem(const ContactProblem& problem, Output& output) {
   output.write(fmt::format("load {}, indenter sliding towards {}, gamma = {}\n", exact_text(problem.load()),
                            name_of(problem.sliding()), exact_text(problem.elasticity().gamma())));
 }
 
-/// One line for each contact component.
+/// Writes one line for each contact component.
 void write_contact(const SolutionText& solution, Output& output) {
   for (std::size_t k = 0; k < solution.contact.size(); ++k) {
     const auto& [left, right] = solution.contact[k];
@@ -72,7 +72,7 @@ struct Line {
   std::string which{};
 };
 
-/// The lines of a quantity, by its type: none where it is absent.
+/// The lines of a quantity, by its type; none if it is absent.
 class Lines {
  public:
   explicit Lines(const Problem& problem) : friction_(problem.contact.friction().values()) {}
@@ -112,7 +112,7 @@ class Lines {
   const std::vector<Rational>& friction_;
 };
 
-/// All quantities, in the order of their lines.
+/// Returns all quantities, in the order of their lines.
 std::vector<Line> resultant_lines(const Problem& problem, const ResultantsText& resultants) {
   std::map<int, std::vector<Line>> ordered;
   answer::for_each_quantity(resultants, [&](const answer::Quantity& row, const auto& value) {
@@ -167,7 +167,7 @@ void write_sizes(const std::string& heading, const std::vector<NamedSize>& sizes
   for (const auto& [name, size] : sizes) write_line(output, name, size);
 }
 
-/// Is it the only solution? Nothing where there is no solution.
+/// Writes whether the solution is unique. Writes nothing if there is no solution.
 template <class Result>
 void write_uniqueness(const Result& result, Output& output) {
   if (!result.failed_condition.empty()) return;

@@ -12,58 +12,58 @@ namespace steadyslide::app {
 struct LoadStep {
   std::string load;
   SolutionText solution;
-  std::vector<StretchText> until;  ///< of the loads between the step before and this one, where that is to be proved
+  std::vector<StretchText> until;  ///< proofs for the loads between the step before and this one, if requested
 };
 
-/// A problem as it is given, and with the indenter sliding the other way.
+/// A problem as given, and with the opposite direction of sliding.
 struct BothText {
   SolutionText as_given;
   SolutionText opposite;
-  std::vector<std::string> warnings;  ///< of both
+  std::vector<std::string> warnings;  ///< for both directions
 };
 
-/// One of the solutions that a search has met.
+/// One of the solutions that a search found.
 struct FoundText {
   int times;
   SolutionText variational;
-  std::optional<SolutionText> refined;  ///< by the Riemann-Hilbert method; absent where that leads to no solution
+  std::optional<SolutionText> refined;  ///< by the Riemann-Hilbert method; absent if that finds no solution
 };
 
 struct SearchText {
   int starts;
   int unsolved;
-  int refinements;  ///< different ones
+  int refinements;  ///< number of different refined solutions
   std::vector<FoundText> solutions;
   Uniqueness uniqueness;
-  std::vector<std::string> warnings;  ///< of all solutions
-  std::string failed_condition;       ///< not empty: none of them is a solution, and why
+  std::vector<std::string> warnings;  ///< for all solutions
+  std::string failed_condition;       ///< not empty: none of them is a solution; the reason
 
-  /// Did every start lead to the same solution?
+  /// True if every start led to the same solution.
   bool agreed() const { return solutions.size() == 1 && unsolved == 0; }
 };
 
-/// A summary to read, and the samples if there are any.
+/// Writes a summary for readers, and the samples if there are any.
 void write_text(const Problem& problem, const SolutionText& solution, Output& output);
 void write_text(const Problem& problem, const SearchText& search, Output& output);
-/// The first summary, and the main results of both side by side.
+/// The first summary, and the main results of both directions side by side.
 void write_text(const Problem& problem, const BothText& both, Output& output);
-/// The whole result, with the problem as read.
+/// Writes the whole result, with the problem as it was read.
 void write_json(const Problem& problem, const SolutionText& solution, Output& output);
 void write_json(const Problem& problem, const SearchText& search, Output& output);
 void write_json(const Problem& problem, const BothText& both, Output& output);
-/// One row for each point, or node; without the displacement's gradient.
+/// One row for each point, or for each node. The gradient of the displacement is left out.
 void write_stresses(Format format, const FieldText& field, Output& output);
 void write_nodal_forces(Format format, const FieldText& field, Output& output);
-/// Stresses, nodal forces or the largest stress, where one of them was asked for (docs/interior.md). Otherwise
-/// the samples, docs/output.md; two rows where a limit differs from its other side.
+/// Writes stresses, nodal forces or the largest stress, if one of them was requested (docs/interior.md); otherwise the
+/// samples (docs/output.md). A sample has two rows if a left and a right limit differ.
 void write_csv(const Problem& problem, const SolutionText& solution, Output& output);
-/// One row for each solution and contact component.
+/// Writes one row for each solution and contact component.
 void write_csv(const Problem& problem, const SearchText& search, Output& output);
-/// The samples of both, which way the indenter slides in the first column.
+/// Writes the samples of both directions; the first column is the direction of sliding.
 void write_csv(const Problem& problem, const BothText& both, Output& output);
 
-/// One row for each load and contact component; without a contact, one row for the load. Where it is to be proved, one row
-/// for each stretch between two loads as well.
+/// Writes one row for each load and contact component; without a contact, one row for the load. If a proof is
+/// requested, writes also one row for each stretch between two loads.
 void write_load_steps(Format format, const std::vector<LoadStep>& steps, bool certify, Output& output);
 
 }  // namespace steadyslide::app

@@ -10,7 +10,7 @@ namespace steadyslide::app {
 void in_order(const TaskRange& tasks, int jobs, const std::function<std::string(std::size_t)>& make,
               const std::function<void(std::size_t, const std::string&)>& take) {
   using Made = std::pair<std::size_t, std::string>;
-  constexpr std::size_t ahead = 64;  // of a slow task, for each thread
+  constexpr std::size_t ahead = 64;  // tasks that may be ahead of a slow one, for each thread
   const auto threads = static_cast<std::size_t>(jobs);
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   std::size_t next = tasks.first;

@@ -13,8 +13,8 @@ struct TaskRange {
   std::size_t step = 1;
 };
 
-/// Makes the text of every task, `jobs` of them at a time, and hands them to `take` in order, never two at a time. What
-/// is thrown in either ends all and is thrown here.
+/// Makes the text of every task, `jobs` of them at a time, and passes the texts to `take` in order, one at a time. An
+/// exception of either function ends all and is thrown here.
 void in_order(const TaskRange& tasks, int jobs, const std::function<std::string(std::size_t)>& make,
               const std::function<void(std::size_t, const std::string&)>& take);
 

@@ -42,7 +42,7 @@ void PartFile::read(const std::string& first_lines, bool resume) {
   const auto refuse = [&](const std::string& what, const std::string& rule, std::string_view value) {
     throw Failure(ExitCode::bad_input, fmt::format("{}:1: {}; {}; {}", name_, what, rule, excerpt(value)));
   };
-  if (first_lines.starts_with(there)) {  // nothing yet, or not even these
+  if (first_lines.starts_with(there)) {  // an empty file, or a part of the first two lines
     write(std::string_view(first_lines).substr(there.size()));
     return;
   }

@@ -1,6 +1,6 @@
 #pragma once
-// What there is of a file whose rows take long: FILE.part, rows in order, each whole as soon as it is made. Its first line
-// says of which table they are, the second one names the columns. It outlives an interrupted program.
+// A file with rows that take long to compute: FILE.part holds the rows that are ready, in order, each complete. Its
+// first line identifies the table, the second one names the columns. FILE.part survives an interrupted program.
 
 #include <cstddef>
 #include <string>
@@ -10,19 +10,19 @@ namespace steadyslide::app {
 
 class PartFile {
  public:
-  /// Of `file`; `title` is the first line. Where FILE.part is there already: `resume` takes its rows if it begins with
-  /// title and header, without a last one that is not whole. Throws Failure: exit code 2 where it is there and not
-  /// wanted, or of another table; 3 where it cannot be written, or is being written by another program.
+  /// Opens FILE.part for `file`; `title` is its first line. If FILE.part exists and begins with title and header,
+  /// `resume` keeps its rows, except for an incomplete last one. Throws Failure: exit code 2 if it exists without
+  /// `resume`, or belongs to another table; 3 if it cannot be written, or if another program is writing it.
   PartFile(const std::string& file, const std::string& title, const std::string& header, bool resume);
   PartFile(const PartFile&) = delete;
   PartFile& operator=(const PartFile&) = delete;
-  /// The file stays.
+  /// The file stays on the disk.
   ~PartFile();
 
-  /// Those in it, the first time those of the program before.
+  /// The number of rows in the file. At first it counts the rows of the interrupted program.
   std::size_t rows() const { return rows_; }
   void add(std::string_view row);
-  /// Header and rows.
+  /// Returns header and rows.
   std::string table() const;
   void remove();
 
@@ -34,7 +34,7 @@ class PartFile {
 
   std::string name_;
   int descriptor_;
-  std::size_t title_;  // its length
+  std::size_t title_;  // length of the first line
   std::size_t rows_ = 0;
 };
 

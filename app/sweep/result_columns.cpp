@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::array all_entries{"method",          "digits",    "contact",    "singular_points", "resultants",
                                  "estimated_error", "residuals", "uniqueness", "warnings"};
 
-/// A result with every key that any has, without values: nothing is solved.
+/// A result with all possible keys, without values. No problem is solved for it.
 SolutionText all_keys() {
   SolutionText keys;
   keys.contact.resize(1);
@@ -35,7 +35,7 @@ SolutionText all_keys() {
   return keys;
 }
 
-/// What the steps lead to; null if to nothing. `any`: an index is any index.
+/// Returns the value at the end of the steps; null if there is none. `any`: an index stands for any index.
 const Json* found(const Json& json, std::span<const Step> steps, bool any = false) {
   if (steps.empty()) return &json;
   if (const auto* key = std::get_if<std::string>(&steps[0])) {
@@ -55,16 +55,16 @@ const Json* found(const Json& json, std::span<const Step> steps, bool any = fals
 
 bool asks_size(const std::vector<Step>& steps) { return !steps.empty() && steps.back() == Step("size"); }
 
-/// A number with its error (number_json.hpp)?
+/// True for a number with its error (number_json.hpp).
 bool is_number(const Json& json) { return json.is_object() && json.contains("error"); }
 
-/// Of a number its value or its error.
+/// The text of a value. For a number, `part` chooses its value or its error.
 std::string text_of(const Json& json, const char* part) {
   if (json.is_null()) return "";
   if (json.is_string()) return json.get<std::string>();
   if (!json.is_structured()) return json.dump();
   if (is_number(json)) return text_of(json.at(part), part);
-  // Of two limits that differ here, and were one where the name was checked.
+  // Two limits that differ in this solution; the shape with which the name was checked has one.
   std::vector<std::string> parts;
   for (const Json& one : json) parts.push_back(text_of(one, part));
   return fmt::format("{}", fmt::join(parts, " "));
@@ -76,7 +76,7 @@ std::vector<std::string> keys_of(const Json& json) {
   return keys;
 }
 
-/// What belongs where the path is still right.
+/// The rule for an unknown name: the keys that exist at the place up to which the path is right.
 std::string what_is_there(const Json& shape, std::span<const Step> steps) {
   std::size_t right = steps.size();
   while (found(shape, steps.first(right), true) == nullptr) --right;
@@ -90,8 +90,8 @@ std::string what_is_there(const Json& shape, std::span<const Step> steps) {
   return fmt::format("keys here are {}", fmt::join(keys, ", "));
 }
 
-/// What a name leads to, null if to nothing, and the steps there: from a table with a value to that; for "load_share_error[0]",
-/// `is_error`, to "load_share[0]".
+/// Returns the value of a name, or null, and completes the steps: for a table with a value, to that value. For
+/// "load_share_error[0]" it sets `is_error` and makes the steps of "load_share[0]".
 const Json* named(const Json& shape, std::vector<Step>& steps, bool& is_error) {
   if (const Json* there = found(shape, steps, true)) {
     if (is_number(*there) || !there->is_object() || !there->contains("value")) return there;
@@ -113,7 +113,7 @@ const Json* named(const Json& shape, std::vector<Step>& steps, bool& is_error) {
   return there;
 }
 
-/// Where a name is that of an entry of the resultants, the steps to it from the top.
+/// If a name is that of an entry of the resultants, returns its steps from the top.
 std::vector<Step> from_the_top(const Json& shape, const std::vector<Step>& steps) {
   if (steps.empty() || shape.contains(std::get<std::string>(steps.front()))) return steps;
   std::vector<Step> longer = steps;
@@ -123,7 +123,8 @@ std::vector<Step> from_the_top(const Json& shape, const std::vector<Step>& steps
   return named(shape, there, is_error) != nullptr ? longer : steps;
 }
 
-/// Refuses a name that leads to nothing, or to several values. Completes the steps; is an error wanted?
+/// Completes the steps of a name. Throws Failure if the name leads nowhere, or to several values. Returns true if the
+/// name means an error.
 bool check(const Word& name, const Json& shape, std::vector<Step>& steps) {
   const auto bad = [&](const std::string& what, const std::string& rule) {
     return Failure(ExitCode::bad_input, fmt::format("{}: {}; {}; {}", name.place, what, rule, excerpt(name.text)));

@@ -1,7 +1,7 @@
 #pragma once
-// Columns of results by name. A name is a path into what `solve --format json` prints: contact[0].left.x,
-// contact.size (how many); "resultants." may be left out. The name of a number, or of a table with a value, is that value;
-// with "_error" behind it, singular_points[1].intensity_error, the error.
+// Columns of results by name. A name is a path into the output of `solve --format json`: contact[0].left.x,
+// contact.size (the length of a list); "resultants." may be left out. The name of a number, or of a table with a value,
+// means that value; with "_error" behind it, singular_points[1].intensity_error, it means the error.
 
 #include <optional>
 #include <string>
@@ -15,26 +15,26 @@ namespace steadyslide::app {
 
 class ResultColumns {
  public:
-  /// Throws Failure for a name that no solution has, and for one of several values.
+  /// Throws Failure for a name that no solution has, and for a name with several values.
   explicit ResultColumns(const std::vector<Word>& names);
 
-  /// Where nothing is named.
+  /// The columns if the sweep names none.
   static std::vector<Word> usual();
 
   std::vector<std::string> names() const;
-  /// The entries of the result that the columns are from (solve_json.hpp).
+  /// The entries of the result from which the columns come (solve_json.hpp).
   std::vector<std::string> entries() const;
-  /// Each column's text; empty where this solution has no such entry, or no number there.
+  /// Returns the text of each column; empty if this solution has no such entry, or no number there.
   std::vector<std::string> cells(const SolutionText& solution) const;
 
  private:
   struct Column {
     std::string name;
-    std::size_t start;        // of starts_
-    std::vector<Step> steps;  // from there
-    const char* part;         // of a number: "value" or "error"
+    std::size_t start;        // index in starts_
+    std::vector<Step> steps;  // from the start to the value
+    const char* part;         // for a number: "value" or "error"
   };
-  /// Where columns begin: what an entry of the result has there is made once for all of them, and nothing else.
+  /// The start of columns: the JSON of this part of the result is made once for all columns with the same start.
   struct Start {
     std::string entry;
     std::optional<Step> next;

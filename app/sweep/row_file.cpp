@@ -9,7 +9,7 @@
 namespace steadyslide::app {
 namespace {
 
-/// Will FILE be a file with a name of its own, and no device?
+/// True if FILE will be a regular file, not a device.
 bool becomes_file(const std::optional<std::string>& name) {
   if (!name) return false;
   std::error_code unknown;
@@ -29,7 +29,7 @@ RowFile::RowFile(const SweepWanted& wanted, const SweepTable& table) : wanted_(w
     text_ = table.header();
     return;
   }
-  const Output writable(wanted.output);  // said before the first row, not after the last one
+  const Output writable(wanted.output);  // checked before the first row, not after the last one
   const std::string title = fmt::format("# steadyslide {}, sweep {:016x}\n", version, table.fingerprint());
   part_.emplace(*wanted.output, title, table.header(), wanted.resume);
   const std::string before = part_->table();

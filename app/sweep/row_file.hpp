@@ -10,13 +10,13 @@
 
 namespace steadyslide::app {
 
-/// Where a sweep's rows go: FILE.part, which becomes FILE at the end; or the standard output, row by row.
+/// The destination of a sweep's rows: FILE.part, which becomes FILE at the end; or the standard output, row by row.
 class RowFile {
  public:
-  /// Refuses what it could not write at the end. Throws Failure.
+  /// Throws Failure if the output could not be written at the end.
   RowFile(const SweepWanted& wanted, const SweepTable& table);
 
-  /// In order, those of an interrupted sweep included.
+  /// The number of rows so far, in order, including rows of an interrupted sweep.
   std::size_t rows() const { return rows_; }
   void add(const std::string& row);
   /// Call once, after the last row.
@@ -31,7 +31,7 @@ class RowFile {
   const SweepWanted& wanted_;
   std::optional<PartFile> part_;
   std::optional<Output> output_;
-  std::string text_;  // not written yet, without a part
+  std::string text_;  // without a part file: rows not yet written
   std::size_t rows_ = 0;
   std::size_t failures_ = 0;
   std::size_t first_failure_ = 0;

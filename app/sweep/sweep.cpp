@@ -12,7 +12,7 @@
 namespace steadyslide::app {
 namespace {
 
-/// Does what `act` does in every process, or throws in each: one that fails alone would leave the others waiting.
+/// Calls `act` in every process. If it throws in one, every process throws: otherwise the others would wait for ever.
 template <class Act>
 void in_all(const Processes& processes, Act act) {
   std::exception_ptr failure;

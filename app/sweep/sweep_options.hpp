@@ -10,10 +10,10 @@ struct SweepOptions {
   bool hdf5;
 };
 
-/// Throws Failure. Without --jobs: one thread for each core.
+/// Throws Failure. Without --jobs there is one thread for each core.
 SweepOptions read_sweep_options(const Given& given);
 
-/// The command, whatever program runs it.
+/// The command `sweep`, for any program that has it.
 Command sweep_command(ExitCode (*run)(const Given& given));
 
 }  // namespace steadyslide::app

@@ -20,14 +20,14 @@ std::string line_of(const std::vector<std::string>& cells) {
   return line + "\n";
 }
 
-/// A row is one line.
+/// Removes line ends: a row is one line.
 std::string without_line_ends(std::string text) {
   std::ranges::replace_if(
       text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
   return text;
 }
 
-/// A number in as many digits as results have, words as they are, the entries of an array one after the other.
+/// A number with as many digits as the results, words unchanged, the entries of an array separated by blanks.
 std::string text_of(const Value& value, int digits) {
   if (value.kind == Value::Kind::list) {
     std::vector<std::string> parts;
@@ -35,7 +35,7 @@ std::string text_of(const Value& value, int digits) {
     return fmt::format("{}", fmt::join(parts, " "));
   }
   try {
-    // "+x" is no number.
+    // "+x" is not a number.
     return full_number(parse_rational(value.text), digits);
   } catch (const InvalidData&) {
     return without_line_ends(value.text);

@@ -1,6 +1,6 @@
 #pragma once
-// A sweep as rows of CSV: the varied data, what is asked of the solution, and failed_condition, which is empty where
-// the problem is solved.
+// A sweep as rows of CSV: the varied data, the requested results, and failed_condition, which is empty if the problem
+// is solved.
 
 #include <string>
 #include <vector>
@@ -11,20 +11,20 @@
 
 namespace steadyslide::app {
 
-/// Immutable: rows may be asked for by several threads. No row depends on another one.
+/// Immutable: several threads may request rows at the same time. No row depends on another one.
 class SweepTable {
  public:
-  /// Throws Failure where columns or the options of [solve] are none.
+  /// Throws Failure if columns or options of [solve] are invalid.
   explicit SweepTable(SweepFile sweep);
 
   std::size_t size() const { return sweep_.problems.size(); }
-  /// One line of names.
+  /// Returns one line with the names of the columns.
   std::string header() const;
-  /// One line; a failure is one, too.
+  /// One line, also for a problem that is not solved.
   std::string row(std::size_t n) const;
-  /// The first columns of row(n): the varied data, known before anything is solved.
+  /// The first columns of row(n): the varied data. They need no solution.
   std::string beginning(std::size_t n) const;
-  /// Tables with another one have other rows.
+  /// Tables with different fingerprints have different rows.
   std::uint64_t fingerprint() const;
 
  private:
@@ -34,10 +34,10 @@ class SweepTable {
   SweepFile sweep_;
   Solver::Wanted wanted_;
   ResultColumns columns_;
-  std::vector<std::vector<std::string>> values_;  // as texts, of each datum
+  std::vector<std::vector<std::string>> values_;  // the values of each datum as texts
 };
 
-/// Is it the row of a problem that is not solved?
+/// True for the row of a problem that is not solved.
 inline bool is_failed(std::string_view row) { return !row.ends_with(",\n"); }
 
 }  // namespace steadyslide::app

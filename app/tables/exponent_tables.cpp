@@ -19,8 +19,8 @@ struct Coatings {
   Rational right;
 };
 
-/// The section "Exponents in numbers" of docs/theory.md, whose words and data are taken from there: of each table a heading, paragraphs,
-/// rows, references.
+/// Returns the tables of the section "Exponents in numbers" of docs/theory.md with their headings, paragraphs, data and
+/// references. The computed columns are filled again afterwards.
 std::vector<TextTable> given_tables() {
   std::vector<TextTable> tables;
   const std::string_view section = proofs_checks::section_of(embedded::theory_md, "## Exponents in numbers");
@@ -45,13 +45,13 @@ std::vector<TextTable> given_tables() {
 std::string text(const Exponent& exponent) { return library::format_exponent(exponent, digits); }
 std::string text(const Rational& value) { return library::format_number(value, digits); }
 
-/// What the traction does at a friction jump with this power, where nothing else is singular.
+/// The behaviour of the traction at a friction jump with this power, if no other singularity is there.
 std::string behaviour(const Exponent& beta) {
   const int sign = beta.sign();
   return sign < 0 ? "blows up" : sign > 0 ? "vanishes" : "stays finite";
 }
 
-/// Steady sliding to +x and back: back, s changes its sign.
+/// The power for steady sliding to +x and back. For sliding back, s changes its sign.
 Exponent jump_power(const Rational& gamma, const Coatings& f, bool forward) {
   const Exponent beta = jump_exponent(gamma * f.left, gamma * f.right);
   return forward ? beta : -beta;
@@ -80,14 +80,14 @@ void fill_by_poisson(TextTable& table) {
   }
 }
 
-/// A material of the table of constants; E in GPa.
+/// A material of the table of constants; E is in GPa.
 Solid solid(const TextTable& constants, const std::string& name) {
   const auto row = std::ranges::find(constants.rows, name, [](const auto& cells) { return cells.front(); });
   if (row == constants.rows.end()) throw std::out_of_range("no such material: " + name);
   return {parse_rational(row->at(2)), parse_rational(row->at(1))};
 }
 
-/// Behind the half-plane and the indenter, which are given.
+/// Fills the columns behind the half-plane and the indenter, which are given.
 void fill_by_pair(TextTable& table, const TextTable& constants) {
   const Coatings jump{Rational(1, 10), Rational(1, 2)};
   for (std::vector<std::string>& row : table.rows) {

@@ -14,7 +14,7 @@
 
 namespace steadyslide::app {
 
-/// All of them, in the order of the document.
+/// All tables, in the order of the document.
 std::vector<TextTable> exponent_tables();
 
 struct TableDocument {
@@ -22,7 +22,7 @@ struct TableDocument {
   std::string text;
 };
 
-/// The tables as exponents.md, exponents.tex and exponents.csv.
+/// Returns the tables as exponents.md, exponents.tex and exponents.csv.
 std::vector<TableDocument> exponent_documents();
 
 /// Dundurs' alpha of a half-plane (body 1) and an indenter, 1 if it is rigid: the mismatch of compliances, positive

@@ -1,5 +1,5 @@
-// exponent-tables [-o DIR]: writes exponents.md, exponents.tex and exponents.csv into DIR (default: the current one). Exit code 2 for a
-// wrong command line, 3 for a file that cannot be written.
+// exponent-tables [-o DIR]: writes exponents.md, exponents.tex and exponents.csv into DIR (default: the current
+// folder). The exit code is 2 for a wrong command line, 3 for a file that cannot be written.
 
 #include <cstdio>
 #include <exception>

@@ -17,13 +17,13 @@ namespace {
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-/// "-0.25", "1e-06": no word and no formula.
+/// True for "-0.25" and "1e-06"; false for words and formulas.
 bool is_number(const std::string& text) {
   return std::any_of(text.begin(), text.end(), is_digit) &&
          text.find_first_not_of("0123456789+-.e") == std::string::npos;
 }
 
-/// The formulas of these tables: names, with a sign or a digit as subscript, and operators.
+/// Converts the formulas of these tables: names, with a sign or a digit as subscript, and operators.
 std::string latex_formula(const std::string& formula) {
   static const std::regex command("(alpha|beta|gamma|nu|mu|kappa|arctan|pi)(?![A-Za-z])");
   static const std::regex subscript("_(.)");
@@ -57,7 +57,7 @@ std::string latex_row(const std::vector<std::string>& cells) {
   return fmt::format("{} \\\\", fmt::join(texts, " & "));
 }
 
-/// Paragraphs apart, a note is one on each line.
+/// Separates the paragraphs of a note by blank lines; in the note each is on one line.
 std::string paragraphs(const std::string& note) {
   return note.empty() ? "" : boost::replace_all_copy(note, "\n", "\n\n") + "\n\n";
 }

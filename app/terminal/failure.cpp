@@ -11,7 +11,7 @@ Failure bad_command_line(const std::string& what, const std::string& rule, std::
 }
 
 void print_message(const std::string& message) {
-  // fmt::print would throw.
+  // fmt::print would throw here.
   std::fputs(("steadyslide: " + one_line(message) + "\n").c_str(), stderr);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// How a command ends, and the one line that says why. Nothing below main() exits or prints an error; a warning is
-// printed where a command ends, by warn().
+// The end of a command: its exit code, and one line with the reason. Nothing below main() exits or prints an error. A
+// warning is printed at the end of a command, by warn().
 
 #include <stdexcept>
 #include <string>
@@ -11,11 +11,11 @@
 
 namespace steadyslide::app {
 
-using namespace library;  // what a program shows and reads
+using namespace library;  // the library's readers and texts
 
 enum class ExitCode { done = 0, refuted = 1, bad_input = 2, failed = 3, interrupted = 130 };
 
-/// The end of a command. what() is the line for stderr, without the program's name.
+/// The failure of a command. what() is the line for stderr, without the program's name.
 class Failure : public std::runtime_error {
  public:
   Failure(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
@@ -26,15 +26,15 @@ class Failure : public std::runtime_error {
   ExitCode code_;
 };
 
-/// "command line: WHAT", exit code 2.
+/// Returns the failure "command line: WHAT" with exit code 2.
 Failure bad_command_line(const std::string& what);
-/// "command line: WHAT; RULE; VALUE", exit code 2.
+/// Returns the failure "command line: WHAT; RULE; VALUE" with exit code 2.
 Failure bad_command_line(const std::string& what, const std::string& rule, std::string_view value);
 
-/// "steadyslide: MESSAGE" on stderr, on one line. If stderr cannot be written, nothing happens.
+/// Writes "steadyslide: MESSAGE" to stderr, on one line. If stderr cannot be written, nothing happens.
 void print_message(const std::string& message);
 
-/// "steadyslide: FILE: warning: WHAT" on stderr, each on one line.
+/// Writes "steadyslide: FILE: warning: WHAT" to stderr, one line for each warning.
 void warn(const std::string& file, const std::vector<std::string>& warnings);
 
 }  // namespace steadyslide::app

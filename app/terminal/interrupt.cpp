@@ -12,7 +12,7 @@
 namespace steadyslide::app {
 namespace {
 
-// A signal handler can reach static storage only. Written with signals held.
+// A signal handler can use only static storage. It is written while the signals are held.
 constexpr std::size_t most_files = 4;
 char unfinished_files[most_files][PATH_MAX] = {};
 volatile std::sig_atomic_t line_to_erase = 0;
@@ -30,7 +30,7 @@ extern "C" void end_interrupted(int) {
     if (file[0] != '\0') ::unlink(file);
   }
   if (line_to_erase != 0 && ::write(STDERR_FILENO, "\r\x1b[K", 4) < 0) {
-    // Nobody is left to be told.
+    // The error cannot be reported: the program ends here.
   }
   ::_exit(static_cast<int>(ExitCode::interrupted));
 }

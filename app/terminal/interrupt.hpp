@@ -1,16 +1,17 @@
 #pragma once
-// SIGINT and SIGTERM end the program with exit code 130, and take unfinished output files and
-// the progress bar with them.
+// SIGINT and SIGTERM end the program with exit code 130. They remove unfinished output files and clear the progress
+// bar.
 
 #include <csignal>
 #include <string>
 
 namespace steadyslide::app {
 
-/// Call once, first thing in main(). Also makes a closed pipe an error of write() instead of a silent death.
+/// Call it once, at the beginning of main(). Also turns a closed pipe into an error of write(), instead of a silent end
+/// of the program.
 void handle_signals();
 
-/// While it lives, the two signals wait; one may live within another.
+/// Holds the two signals back during its lifetime. Objects may be nested.
 class SignalsHeld {
  public:
   SignalsHeld();
@@ -22,11 +23,11 @@ class SignalsHeld {
   sigset_t before_;
 };
 
-/// A file to remove on a signal, one of at most four at a time; no longer so. Call with signals held.
+/// Register a file that a signal removes, at most four at a time, and cancel the registration. Call with signals held.
 void remove_when_interrupted(const std::string& file);
 void keep_when_interrupted(const std::string& file);
 
-/// Does a signal clear the line that the terminal on stderr is in?
+/// Chooses whether a signal clears the current line of the terminal on stderr.
 void erase_line_when_interrupted(bool erase);
 
 }  // namespace steadyslide::app

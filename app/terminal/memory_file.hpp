@@ -1,5 +1,5 @@
 #pragma once
-// Standard streams of another program as files in memory, so that nothing can fill up and wait.
+// Standard streams of another program as files in memory: they cannot fill up and make the program wait.
 
 #include <sys/mman.h>
 #include <unistd.h>
@@ -14,7 +14,7 @@ namespace steadyslide::app {
 
 class MemoryFile {
  public:
-  /// Holds the text and is read from its beginning. Throws std::system_error.
+  /// Holds the text; reading starts at its beginning. Throws std::system_error.
   explicit MemoryFile(std::string_view text = {}) : descriptor_(::memfd_create("steadyslide", MFD_CLOEXEC)) {
     if (descriptor_ < 0) throw std::system_error(errno, std::generic_category(), "no memory for its streams");
     while (!text.empty()) {
@@ -30,7 +30,7 @@ class MemoryFile {
   ~MemoryFile() { ::close(descriptor_); }
 
   int descriptor() const { return descriptor_; }
-  /// By which another process opens it.
+  /// The path by which another process opens it.
   std::string path() const { return "/proc/" + std::to_string(::getpid()) + "/fd/" + std::to_string(descriptor_); }
 
   std::string text() const {

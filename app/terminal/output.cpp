@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t buffer_size = std::size_t{1} << 16;
 
-/// The permissions that a newly created file would have.
+/// Returns the permissions of a newly created file.
 mode_t default_mode() {
   const mode_t mask = ::umask(0);
   ::umask(mask);
@@ -28,7 +28,7 @@ mode_t default_mode() {
 
 Output::Output(const std::optional<std::string>& file) : name_(file.value_or("standard output")) {
   if (!file) return;
-  // Through symbolic links: the link stays, the file that it names is replaced.
+  // Follows symbolic links: the link stays, and its target is replaced.
   std::error_code error;
   target_ = std::filesystem::weakly_canonical(*file, error).string();
   if (error || target_.empty()) target_ = *file;

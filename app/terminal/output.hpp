@@ -1,5 +1,5 @@
 #pragma once
-// Where results go: the standard output, or a file that is written whole or not at all.
+// The destination of results: the standard output, or a file that is written completely or not at all.
 
 #include <optional>
 #include <string>
@@ -7,20 +7,20 @@
 
 namespace steadyslide::app {
 
-/// Text is written to a temporary file beside FILE, which takes FILE's name when everything is on the disk. What is no
-/// regular file (/dev/null, a pipe) is written directly. Every failure throws Failure with exit code 3.
+/// Writes text to a temporary file beside FILE, and renames it to FILE when everything is on the disk. If FILE is not a
+/// regular file (/dev/null, a pipe), writes to it directly. Every error throws Failure with exit code 3.
 class Output {
  public:
   explicit Output(const std::optional<std::string>& file);
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
-  /// Removes the temporary file unless everything was written.
+  /// Removes the temporary file, unless commit() was called.
   ~Output();
 
   void write(std::string_view text);
-  /// Writes on what is kept so far.
+  /// Writes the buffered text.
   void flush();
-  /// Call once, at the end: without it nothing remains.
+  /// Call once, at the end; otherwise no file remains.
   void commit();
 
  private:
@@ -33,10 +33,10 @@ class Output {
   std::string buffer_;
 };
 
-/// Writes one text, whole, to FILE or the standard output.
+/// Writes one complete text to FILE or to the standard output.
 void write_whole(const std::optional<std::string>& file, std::string_view text);
 
-/// Makes a folder if need be: true if it is new. Throws Failure with exit code 3.
+/// Makes a folder if it does not exist. Returns true if it is new. Throws Failure with exit code 3.
 bool make_folder(const std::string& folder);
 
 }  // namespace steadyslide::app

@@ -1,5 +1,5 @@
 #pragma once
-// How far a long command is: a bar on stderr, on a terminal only, and gone at the end.
+// The progress of a long command: a bar on stderr, only on a terminal, removed at the end.
 
 #include <chrono>
 #include <cstddef>
@@ -13,9 +13,9 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
-  /// One more of the total is done.
+  /// Counts one more task as done.
   void next();
-  /// Of the next one, `part` of `whole` is done.
+  /// Shows the progress of the next task: `part` of `whole`.
   void show(std::size_t part, std::size_t whole);
 
  private:

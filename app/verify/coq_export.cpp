@@ -20,8 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct LeftOut {
-  std::map<std::string, std::map<std::string, std::size_t>> equations;  ///< reason to statement to how many
-  std::vector<std::string> statements;                                  ///< of which nothing is exported
+  std::map<std::string, std::map<std::string, std::size_t>> equations;  ///< reason -> statement -> number of equations
+  std::vector<std::string> statements;                                  ///< statements of which nothing is exported
 };
 
 std::vector<symbolic::CoqLemma> lemmas_of(const symbolic::StatementFamily& family, LeftOut& left_out) {
@@ -63,7 +63,7 @@ void require_new_or_empty(const std::string& folder) {
   }
 }
 
-/// Each of the files, or none.
+/// Writes all files, or none.
 void write_all(const std::string& folder, const std::vector<std::pair<std::string, std::string>>& files) {
   const bool is_new = make_folder(folder);
   const SignalsHeld held;

@@ -1,12 +1,13 @@
 #pragma once
-// `steadyslide verify --export-coq DIR`: what the symbolic layer decides, for a kernel that is not ours (docs/coq.md).
+// `steadyslide verify --export-coq DIR`: writes the decisions of the symbolic layer for an independent proof checker
+// (docs/coq.md).
 
 #include <string>
 
 namespace steadyslide::app {
 
-/// Writes a file for each family of statements into a folder that is new or empty, all of them or none. Returns how many
-/// lemmas they hold, and which equations are not exported, and why. Throws Failure.
+/// Writes a file for each family of statements into a folder that is new or empty; writes all files or none. Returns
+/// the number of lemmas, and the equations that are not exported with the reason. Throws Failure.
 std::string export_coq(const std::string& folder);
 
 }  // namespace steadyslide::app

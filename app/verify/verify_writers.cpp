@@ -31,7 +31,7 @@ std::string beyond_text(const VerifyResult& result) {
   return ids.empty() ? ids : "undecided because beyond calculation: " + ids;
 }
 
-/// "1 claim", "2 claims".
+/// Returns "1 claim" or "2 claims".
 std::string numbered(std::size_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
@@ -47,7 +47,8 @@ std::string head_text(const VerifyResult& result) {
                      result.context.quick ? ", quick" : "");
 }
 
-/// `head` and the text after it, in lines of 100 columns as far as words allow; further lines begin below the text.
+/// Returns `head` and the text after it, in lines of 100 columns if the words allow it; further lines begin below the
+/// text.
 std::string wrapped(const std::string& head, std::string_view text) {
   constexpr std::size_t columns = 100;
   std::string result = head;
@@ -68,7 +69,8 @@ std::string wrapped(const std::string& head, std::string_view text) {
   return result + "\n";
 }
 
-/// One line a claim; what was found, for those that are not settled. verify --list has the statements.
+/// Writes one line for each claim, and the findings for claims that are not settled. verify --list prints the
+/// statements.
 void write_verify_text(const VerifyResult& result, Output& output) {
   output.write(head_text(result) + "\n\n");
   Rows rows(Format::text, {"verdict", "controls", "seconds", "claim", "place"}, output);
@@ -109,7 +111,7 @@ void write_verify_text(const VerifyResult& result, Output& output) {
   }
 }
 
-/// A text that stands in a cell of a Markdown table.
+/// A text for a cell of a Markdown table.
 std::string cell(std::string_view text) {
   std::string result;
   for (const char c : text) {
@@ -146,7 +148,7 @@ void write_verify_markdown(const VerifyResult& result, Output& output) {
 
 using Json = nlohmann::ordered_json;
 
-/// With its texts as HTML besides, formulas typeset: those of `keys`.
+/// Adds the texts of `keys` as HTML, with formulas typeset.
 Json typeset(Json json, std::initializer_list<const char*> keys) {
   for (const char* key : keys) json["html"][key] = prose(json[key].get<std::string>());
   return json;

@@ -18,22 +18,22 @@ struct VerifyResult {
   proofs_checks::Context context;
   std::vector<proofs_checks::Report> reports;
   std::vector<proofs_checks::ReadingNote> notes;
-  std::size_t notes_left_out = 0;  ///< those that belong to none of the claims asked for
-  bool with_proofs = false;        ///< as trees; JSON has them always
+  std::size_t notes_left_out = 0;  ///< number of notes that belong to none of the requested claims
+  bool with_proofs = false;        ///< true: write proofs as trees; JSON always has them
 };
 
-/// Takes out the notes that belong to none of the claims reported, and counts them.
+/// Removes the notes that belong to none of the reported claims, and counts them.
 void leave_out_other_notes(VerifyResult& result);
 
-/// The claims with their verdicts, then the reading notes.
+/// Writes the claims with their verdicts, then the reading notes.
 void write_verify(Format format, const VerifyResult& result, Output& output);
-/// The claims alone, unchecked.
+/// Writes the claims without verdicts.
 void write_claims(Format format, std::span<const proofs_checks::Claim> claims, Output& output);
 
-/// "12 of 12 controls refuted".
+/// Returns "12 of 12 controls refuted".
 std::string controls_line(const VerifyResult& result);
 
-/// Done only if nothing is refuted, and nothing undecided but what is beyond calculation.
+/// ExitCode::done only if no claim is refuted, and only claims beyond calculation are undecided.
 ExitCode exit_code_of(std::span<const proofs_checks::Report> reports);
 
 }  // namespace steadyslide::app

@@ -1,12 +1,12 @@
 'use strict';
-// Drawings of what has been solved. Everything here is a place on the page; no number is made.
+// Draws solved problems. This file places things on the page; it computes no number of the solution.
 
 const margin = {left: 46, right: 12, top: 22, bottom: 34};
 
-/// Of all drawings, in CSS pixels: letters have one size on every screen.
+/// Sizes of all drawings in CSS pixels, so that letters have one size on every screen.
 const sheet = {width: 720, heights: {pressure: 300, surface: 170, stress: 230}};
 
-/// Numbers as people read them: a few digits, a real minus sign.
+/// Returns a number for readers: a few digits, and a real minus sign.
 function shown(value, digits = 4) {
   if (value === null || Number.isNaN(value)) return '–';
   if (!Number.isFinite(value)) return value > 0 ? '∞' : '−∞';
@@ -16,7 +16,7 @@ function shown(value, digits = 4) {
   return text.replace(/-/g, '−');
 }
 
-/// Round numbers between two, about `count` of them.
+/// Returns about `count` round numbers between two.
 function ticks(from, to, count) {
   const rough = (to - from) / count;
   const power = 10 ** Math.floor(Math.log10(rough));
@@ -26,7 +26,7 @@ function ticks(from, to, count) {
   return result;
 }
 
-/// A linear scale from [from, to] to pixels.
+/// Returns a linear scale from [from, to] to pixels.
 function scale(from, to, low, high) {
   const at = value => low + (value - from) / (to - from) * (high - low);
   at.inverse = pixel => from + (pixel - low) / (high - low) * (to - from);
@@ -52,7 +52,7 @@ function axes(x, y, top, bottom, unit) {
 
 const point = (x, y) => `${x.toFixed(2)} ${y.toFixed(2)}`;
 
-/// Pressure and friction, zero where there is no contact; what has no bound ends at the upper edge.
+/// Draws pressure and friction, which are zero off the contact. An unbounded curve ends at the upper edge.
 function drawPressure(home, samples, solution, x) {
   const mean = solution.resultants.mean_pressure;
   let highest = 1.25 * mean;
@@ -68,7 +68,7 @@ function drawPressure(home, samples, solution, x) {
     if (inside.length === 0) continue;
     const curve = column => inside.map(i => point(x(samples.x[i]), height(samples[column][i]))).join('L');
     const begin = x(zone.left.x).toFixed(2), end = x(zone.right.x).toFixed(2);
-    // An end without bound leaves the picture.
+    // At an end with unbounded pressure the curve leaves the picture.
     const from = `M${begin} ${bottom}` + (zone.left.sign < 0 ? `V${-bottom}` : ''), to = (zone.right.sign < 0 ? `L${end} ${-bottom}` : '') + `L${end} ${bottom}`;
     lines.pressure += `${from}L${curve('traction')}${to}`;
     lines.shear += `M${begin} ${bottom}L${curve('shear')}L${end} ${bottom}`;
@@ -86,7 +86,7 @@ function drawPressure(home, samples, solution, x) {
     `<g clip-path="url(#plot)"><path class="pressure" d="${lines.pressure}"/><path class="shear" d="${lines.shear}"/></g>` + texts.join('');
 }
 
-/// Indenter above, body below with its coatings.
+/// Draws the indenter above and the body with its coatings below.
 function drawSurface(svg, samples, solution, state, support, x) {
   const top = 16, bottom = sheet.heights.surface - margin.bottom;
   const heights = Array.from(samples.profile);
@@ -112,7 +112,7 @@ function drawSurface(svg, samples, solution, state, support, x) {
     axes(x, null, bottom, bottom, '');
 }
 
-/// White at rest, dark under load, so that it reads in grey as well. t from 0 to 1.
+/// White without stress, dark under stress, so that it is readable in grey. t goes from 0 to 1.
 function shade(t) {
   const stops = [[255, 255, 255], [197, 220, 236], [102, 163, 201], [44, 104, 150], [64, 36, 92], [33, 12, 40]];
   const at = Math.min(Math.max(t, 0), 1) * (stops.length - 1), k = Math.min(Math.floor(at), stops.length - 2);

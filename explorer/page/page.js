@@ -1,5 +1,5 @@
 'use strict';
-// The page: controls that change the state, one function that shows it.
+// The page: controls that change the state, and one function that shows it.
 
 const byId = id => document.getElementById(id);
 let state = stateFrom(location.hash.slice(1), initial);
@@ -9,7 +9,7 @@ let later = 0;
 
 const places = {count: 45, beyond: 6, columns: 48, rows: 15, fineColumns: 200, fineRows: 60};
 
-/// A slider and a field for one number of the state. Its own range may be left by typing.
+/// A slider and a field for one number of the state. A typed number may lie outside of the slider's range.
 function slider(home, {label, least, most, step, get, set, place}) {
   const id = `${home.id}-${home.children.length}`;
   const box = document.createElement('div');
@@ -68,7 +68,7 @@ async function copy(text, done) {
   try {
     await navigator.clipboard.writeText(text);
   } catch {
-    const area = document.createElement('textarea');  // pages that are files may have no clipboard
+    const area = document.createElement('textarea');  // pages from a file may have no clipboard
     area.value = text;
     document.body.append(area);
     area.select();
@@ -78,7 +78,8 @@ async function copy(text, done) {
   byId('copied').textContent = done;
 }
 
-/// Sliders of the profile's size, and of each friction value and jump: made again where their number changes.
+/// Sliders for the sizes of the profile, and for each friction value and jump. They are made again when their number
+/// changes.
 function refreshControls() {
   const form = byId('controls');
   form.elements.profile.value = state.profile;
@@ -106,7 +107,8 @@ function refreshControls() {
 }
 const subscript = k => String.fromCharCode(0x2080 + k);
 
-/// The jumps on the drawing: dragged, or moved by arrow keys. They stay from picture to picture, since one may have the focus.
+/// Handles of the jumps on the drawing: the user drags them, or moves them by arrow keys. They stay the same elements
+/// in all pictures, because one of them may have the focus.
 function buildHandles() {
   const handles = byId('handles'), foot = sheet.heights.pressure - margin.bottom;
   handles.replaceChildren();
@@ -150,7 +152,7 @@ function placeHandles(x) {
   });
 }
 
-/// One update: solve, then show. What takes longer than a picture follows when the hand rests.
+/// One update: solve, then show. Slower work follows when the user pauses.
 function update() {
   if (!explorer) return;
   refreshControls();
@@ -176,7 +178,7 @@ function update() {
   showNumbers(shownResult);
 }
 
-/// Drawings as wide as there is room for them.
+/// Makes the drawings as wide as the room for them.
 function fit() {
   sheet.width = Math.round(Math.max(byId('pressure').getBoundingClientRect().width, 280));
   for (const [id, height] of Object.entries(sheet.heights)) byId(id).setAttribute('viewBox', `0 0 ${sheet.width} ${height}`);
@@ -191,7 +193,8 @@ function showStresses(columns, rows, x) {
   drawStress(byId('stress'), explorer.stresses(x.from, x.to, depth, columns, rows), columns, rows, shownResult.resultants.mean_pressure, depth, x);
 }
 
-/// Finer stresses, the sentence to be read aloud, the address, and whether an unrelated rule agrees.
+/// Draws finer stresses, sets the sentence for screen readers and the address, and shows if the independent rule
+/// agrees.
 function rest() {
   history.replaceState(null, '', `#${stateText(state)}`);
   if (!shownResult) return;
@@ -206,7 +209,7 @@ function rest() {
 
 const kinds = {edge: 'edge of the indenter', free: 'free end', step: 'step', friction_jump: 'friction jump', wedge: 'wedge', wedge_and_jump: 'wedge and jump'};
 
-/// What the eye sees, in one sentence.
+/// Describes the picture in one sentence.
 function sentence(solution) {
   const ends = solution.contact.map(zone => `from ${shown(zone.left.x, 3)} to ${shown(zone.right.x, 3)}`).join(' and ');
   const jump = solution.singular_points.find(at => at.kind.includes('jump') && at.sign < 0) ?? solution.singular_points.find(at => at.kind.includes('jump'));
@@ -222,7 +225,7 @@ function bothWays(solution) {
   return state.sliding === '+x' ? both : both.reverse();
 }
 
-/// "-1/2 - arctan(1/7)/pi" in print; it breaks between its terms.
+/// Returns "-1/2 - arctan(1/7)/pi" in print; it breaks between its terms.
 const exactly = text => text === 'log' ? 'a logarithm' : text.replace(/-/g, '−').replace(/\*/g, ' ').replace(/pi/g, 'π').replace(/ ([+−]) /g, ' $1\u00a0');
 
 function showNumbers(solution) {
@@ -244,7 +247,7 @@ function showNumbers(solution) {
   byId('scale').textContent = shown(resultants.mean_pressure, 3);
 }
 
-/// For tests, and for the curious: everything that the page knows.
+/// For tests, and for curious users: all data of the page.
 globalThis.explorerPage = {
   ready: steadyslide().then(module => {
     explorer = new module.Explorer();

@@ -1,5 +1,5 @@
 'use strict';
-// The problem as the page holds it: decimals as texts, so that a problem file says exactly what the sliders show.
+// The state of the page: decimals as texts, so that the problem file has exactly the numbers of the sliders.
 
 const profiles = {
   punch: {support: 1, size: null, pieces: () => ['profile = "0"']},
@@ -12,7 +12,7 @@ const mostJumps = 6;
 
 const initial = {profile: 'punch', size: '0.5', load: '0.2', poisson: '0.3', sliding: '+x', values: ['0.1', '0.5'], jumps: ['0']};
 
-/// The file that `steadyslide solve` reads.
+/// Returns the problem file of the state, for `steadyslide solve`.
 function problemFile(state) {
   const quoted = list => `[${list.map(number => `"${number}"`).join(', ')}]`;
   const {support, pieces} = profiles[state.profile];
@@ -21,12 +21,12 @@ function problemFile(state) {
           '[indenter]', `support = ["-${support}", "${support}"]`, ...pieces(state.size), ''].join('\n');
 }
 
-/// "profile=punch&load=0.2&...", what stands behind # in the address.
+/// Returns "profile=punch&load=0.2&...", the text behind # in the address.
 function stateText(state) {
   return Object.entries(state).map(([key, value]) => `${key}=${Array.isArray(value) ? value.join(',') : value}`).join('&');
 }
 
-/// What is not said stays as it is; what is no number is for the model to refuse.
+/// A missing entry keeps its value. The model refuses a text that is not a number.
 function stateFrom(text, state) {
   const result = structuredClone(state);
   for (const part of text.split('&')) {

@@ -1,5 +1,6 @@
 #pragma once
-// A proved solution in balls as the table of quantities asks for it (library/answer/quantities.hpp).
+// A proved solution in balls. It has the members that the formulas of the table of quantities use
+// (library/answer/quantities.hpp).
 
 #include <optional>
 #include <vector>
@@ -22,7 +23,7 @@ class EnclosedContact {
   const enclosure::EnclosedSolution::Resultants& forces() const { return forces_; }
   std::size_t components() const { return contact_.size(); }
 
-  /// From the first end to the last.
+  /// From the first end of contact to the last.
   Ball width() const { return contact_.back().right.x - contact_.front().left.x; }
   Ball length() const {
     Ball sum(0);

@@ -47,7 +47,7 @@ template <class Number, class Power>
 struct LargestPressureOf {
   Number value;
   Number x;
-  Power exponent;  ///< of an infinite one
+  Power exponent;  ///< absent if the value is finite
 };
 
 template <class Number>
@@ -80,7 +80,7 @@ struct Quantity {
   std::string_view meaning;
 };
 
-/// The key with spaces, as a text shows it.
+/// Returns the key with spaces, as a text shows it.
 inline std::string words(const Quantity& row) {
   std::string result(row.key);
   for (char& letter : result) letter = letter == '_' ? ' ' : letter;
@@ -93,7 +93,7 @@ inline constexpr Quantity quantities[] = {
 #undef STEADYSLIDE_QUANTITY
 };
 
-/// Two quantities on one line would hide one of them.
+/// True if every quantity has its own line: two quantities on one line would hide one of them.
 constexpr bool have_lines_of_their_own() {
   for (const Quantity& row : quantities) {
     for (const Quantity* other = quantities; other != &row; ++other) {
@@ -147,7 +147,8 @@ auto converted(Convert& convert, const std::vector<Number>& values) {
   return result;
 }
 
-/// Evaluates the formulas; `convert` makes a number of the result from a number, and a largest pressure from what is known of it.
+/// Evaluates the formulas. `convert` makes a number of the result from a number, and a largest pressure from the solved
+/// one.
 template <class Resultants, class Solved, class Convert>
 Resultants resultants_of(const Solved& solved, Convert&& convert) {
   Resultants result;

@@ -1,5 +1,6 @@
 #pragma once
-// A solution in estimates as the table of quantities asks for it (library/answer/quantities.hpp).
+// A solution in estimates. It has the members that the formulas of the table of quantities use
+// (library/answer/quantities.hpp).
 
 #include <limits>
 #include <optional>
@@ -23,7 +24,8 @@ class SolvedContact {
   const numeric::Resultants<R>& forces() const { return forces_; }
   std::size_t components() const { return contact_.size(); }
 
-  /// From the first end to the last. Without contact, width(), length(), per_length() and largest_pressure() are unknown.
+  /// From the first end of contact to the last. Without contact, width(), length(), per_length() and largest_pressure()
+  /// return an unknown value.
   Estimate width() const {
     if (contact_.size() <= 1) return length();
     return contact_.back().right.x - contact_.front().left.x;

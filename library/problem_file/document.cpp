@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-// The library (3.3.0) asserts, or promises the optimizer, what its next line then tests and reports as an error of the
-// document. Without its assertions that test decides.
+// The TOML library (3.3.0) asserts a condition that its next line tests and reports as an error of the document. With
+// NDEBUG it tells the optimizer that the condition holds. Therefore its assertions are switched off here: the test
+// decides.
 #undef NDEBUG
 #define TOML_ASSERT(expr) static_assert(true)
 #define TOML_HEADER_ONLY 1
@@ -23,10 +24,11 @@ namespace {
 constexpr std::size_t max_values = 200000;
 constexpr std::size_t max_depth = 32;
 
-/// Makes a text ready for the TOML library (3.3.0), which recurses as deep as dotted keys go, keeps a hundred bytes for
-/// every value, and runs into code that it declares unreachable where it looks for white space and finds a character
-/// beyond ASCII. The result is the same document in ASCII, line by line: characters beyond ASCII are escaped in strings
-/// and dropped from comments. Follows strings and comments just enough to know what stands outside of them.
+/// Makes a text ready for the TOML library (3.3.0), which has three weaknesses: it recurses as deep as dotted keys go,
+/// it keeps a hundred bytes for every value, and it reaches code that it declares unreachable if it looks for white
+/// space and finds a character beyond ASCII. The scanner returns the same document in ASCII, line by line: characters
+/// beyond ASCII are escaped in strings and dropped from comments. It follows strings and comments only as far as needed
+/// to find the text outside of them.
 class Scanner {
  public:
   Scanner(std::string_view text, const std::string& name, const std::string& kind)
@@ -51,7 +53,7 @@ class Scanner {
   }
 
  private:
-  /// What becomes of a character beyond ASCII.
+  /// The treatment of a character beyond ASCII.
   enum class Beyond { refused, escaped, dropped };
 
   [[noreturn]] void fail(const char* problem, const std::string& rule, const std::string& value) const {
@@ -64,7 +66,7 @@ class Scanner {
 
   bool at(std::string_view part) const { return text_.substr(at_, part.size()) == part; }
 
-  /// The next character, with the lines counted.
+  /// Copies the next character and counts lines.
   void copy(Beyond beyond) {
     const Utf8Character character = first_character(text_.substr(at_));
     if (character.length == 0) fail("not UTF-8", kind_ + " is encoded in UTF-8", excerpt(text_.substr(at_, 1)));
@@ -104,7 +106,7 @@ class Scanner {
     while (at_ < text_.size() && !at(delimiter) && (is_long || text_[at_] != '\n')) {
       const bool escape = quote == '"' && text_[at_] == '\\';
       copy(beyond);
-      // What a backslash escapes ends no string, and is no place for another escape.
+      // A quote after a backslash does not end the string. An escaped character is not escaped again.
       if (escape && at_ < text_.size() && (is_long || text_[at_] != '\n')) copy(Beyond::refused);
     }
     if (!at(delimiter)) return;
@@ -124,7 +126,8 @@ class Scanner {
   std::size_t values_ = 0;
 };
 
-/// Tables that dotted keys imply have no place of their own: they get `line`, that of what contains them.
+/// The line of a node. A table that only dotted keys imply has no line of its own: it gets `line`, the line of the
+/// table that contains it.
 std::size_t line_of(const toml::node& node, std::size_t line) {
   return node.source().begin.line != 0 ? node.source().begin.line : line;
 }

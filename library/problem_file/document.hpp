@@ -1,5 +1,5 @@
 #pragma once
-// A TOML document as plain data with line numbers, so that only one source file sees the TOML library.
+// A TOML document as plain data with line numbers. Only one source file includes the TOML library.
 
 #include <string>
 #include <string_view>
@@ -14,12 +14,12 @@ struct Value {
 
   Kind kind = Kind::table;
   std::size_t line = 1;
-  const std::string* file = nullptr;  ///< where it stands, if that is another one than its document's
-  std::string text;                   ///< of a string; of a number, the shortest decimal that gives it; true or false
-  std::vector<Value> items;           ///< of a list
-  std::vector<Entry> entries;         ///< of a table, in the order of the text
+  const std::string* file = nullptr;  ///< the file of this value, if it is not the document's file
+  std::string text;                   ///< a string; the shortest decimal of a number; true or false
+  std::vector<Value> items;           ///< the items of a list
+  std::vector<Entry> entries;         ///< the entries of a table, in the order of the text
 
-  /// The entry of this key, or null.
+  /// The entry with this key, or null.
   const Entry* find(std::string_view key) const;
 };
 
@@ -30,11 +30,11 @@ struct Entry {
   Value value;
 };
 
-/// "a string", "an integer", ...
+/// Returns "a string", "an integer", ...
 const char* name_of(Value::Kind kind);
 
-/// `kind`: what it is meant to be. Throws InvalidFile for what is no TOML, and for documents nested so deep or with so
-/// many values that no problem file needs them.
+/// Parses a TOML document. `kind` names the expected document in messages. Throws InvalidFile if the text is not TOML,
+/// and if it is nested deeper or has more values than any problem file needs.
 Value parse_document(std::string_view text, const std::string& name, const std::string& kind = "a problem file");
 
 }  // namespace steadyslide::library

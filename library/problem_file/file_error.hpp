@@ -7,7 +7,7 @@
 
 namespace steadyslide::library {
 
-/// A file that is not of its kind. what() is "FILE:LINE: what is wrong; the rule; the value".
+/// A file with a mistake in its content. what() is "FILE:LINE: what is wrong; the rule; the value".
 class InvalidFile : public std::invalid_argument {
  public:
   explicit InvalidFile(const std::string& what) : std::invalid_argument(what) {}
@@ -15,14 +15,14 @@ class InvalidFile : public std::invalid_argument {
   InvalidFile(const std::string& place, const std::string& complaint)
       : std::invalid_argument(place + ": " + complaint), complaint_begins_(place.size() + 2) {}
 
-  /// what() without the place.
+  /// Returns what() without the place.
   std::string complaint() const { return what() + complaint_begins_; }
 
  private:
   std::size_t complaint_begins_ = 0;
 };
 
-/// A file that the system does not give. what() is "FILE: cannot be read: why", code() the system's number for it.
+/// A file that cannot be read. what() is "FILE: cannot be read: why", code() is the system's error number.
 struct UnreadableFile : std::system_error {
   UnreadableFile(const std::string& file, int error)
       : std::system_error(error, std::generic_category(), file + ": cannot be read") {}

@@ -8,10 +8,10 @@
 
 namespace steadyslide::library {
 
-/// Throws InvalidData (field empty), also when there are more than `most` entries.
+/// Throws InvalidData (field empty), also if there are more than `most` entries.
 std::vector<Rational> parse_list(std::string_view text, std::size_t most);
 
-/// A whole number from `least` to `most`. Throws InvalidData (field empty).
+/// Returns a whole number from `least` to `most`. Throws InvalidData (field empty).
 int parse_count(std::string_view text, int least, int most);
 
 }  // namespace steadyslide::library

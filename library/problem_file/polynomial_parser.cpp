@@ -10,7 +10,7 @@
 namespace steadyslide::library {
 namespace {
 
-// They keep every computation on profiles within reach; nobody's profile comes near them.
+// These limits keep every computation on profiles feasible. No realistic profile comes near them.
 constexpr std::size_t max_length = 10000;
 constexpr int max_nesting = 100;
 constexpr unsigned max_exponent = 1000;
@@ -35,7 +35,7 @@ class Parser {
     throw InvalidData("", fmt::format("{} at character {}", problem, at + 1), rule, excerpt(text_));
   }
 
-  /// The next character that is no space; NUL at the end.
+  /// The next character that is not a space; NUL at the end.
   char peek() {
     while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) ++at_;
     return at_ < text_.size() ? text_[at_] : '\0';

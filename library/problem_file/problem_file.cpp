@@ -57,7 +57,7 @@ struct ReadIndenter {
 /// The table [indenter]: the support, and the profile as a polynomial, as pieces or as a measured trace.
 class IndenterReader {
  public:
-  /// `file`: the problem file's name, beside which a trace is looked for.
+  /// `file`: the problem file's name. A trace is looked for in its folder.
   IndenterReader(const ProblemReader& reader, const std::string& file) : reader_(reader), file_(file) {}
 
   ReadIndenter read() {
@@ -99,7 +99,7 @@ class IndenterReader {
     return reader_.error("indenter.support", what, rule, to_string(support_->left) + ", " + to_string(support_->right));
   }
 
-  /// The support of a profile and of pieces.
+  /// The support for a profile and for pieces.
   Support support() const { return support_.value_or(Support{-1, 1}); }
 
   ReadIndenter read_samples(const Value& value) {
@@ -149,7 +149,7 @@ class IndenterReader {
     return {Indenter(support_ ? support_->left : first, std::move(trace.pieces)), std::move(measured)};
   }
 
-  /// One of some words, or `otherwise` if the field is absent.
+  /// Returns one of `words`, or `otherwise` if the field is absent.
   std::string word(const std::string& field, const std::string& what, const std::vector<std::string>& words,
                    const std::string& otherwise) const {
     const Value* value = reader_.find(field);
@@ -164,7 +164,7 @@ class IndenterReader {
     return -3 * static_cast<int>(std::find(length_units.begin(), length_units.end(), unit) - length_units.begin());
   }
 
-  /// Beside the problem file; beside nothing for the standard input.
+  /// The path of a trace: relative to the problem file's folder, or to the current folder for the standard input.
   std::string path_of(const std::string& given) const {
     const std::string path = (std::filesystem::path(file_).parent_path() / given).string();
     return path == "-" ? "./-" : path;
@@ -203,7 +203,7 @@ class IndenterReader {
     return result;
   }
 
-  /// Breaks are found exactly: values of the profile at the pieces' ends, with all their digits.
+  /// Breaks are found exactly, from the values of the profile at the ends of the pieces with all their digits.
   void check_cost(const std::string& field, const Indenter::Piece& piece) {
     for (const Rational& c : piece.profile.coefficients()) cost_ += bits(piece.to) + bits(c);
     if (cost_ <= max_cost) return;
@@ -223,7 +223,7 @@ class IndenterReader {
   }
 
   static constexpr std::size_t max_cost = 20000000;
-  /// Each a thousand times smaller than the one before.
+  /// Each unit is a thousandth of the one before.
   static inline const std::vector<std::string> length_units{"m", "mm", "um", "nm"};
 
   const ProblemReader& reader_;
@@ -233,7 +233,7 @@ class IndenterReader {
   std::size_t cost_ = 0;
 };
 
-/// `whole`: load and friction are required. `alike` has the same [indenter].
+/// `whole`: load and friction are required. `alike`: a problem with the same [indenter].
 Punch read(const Value& root, const std::string& name, bool whole, const Problem* alike = nullptr) {
   const ProblemReader reader(root, name);
   reader.check_keys("", {"load", "load_at", "sliding", "half_space", "friction", "indenter"});
@@ -252,7 +252,7 @@ Punch read(const Value& root, const std::string& name, bool whole, const Problem
                            load_at);
     return {{std::move(contact), name, std::move(indenter.measured)}, has_friction};
   } catch (const InvalidData& invalid) {
-    // The model knows pieces; a file with samples has none.
+    // The model speaks of pieces; a file with samples has none.
     const bool of_samples = indenter.measured && invalid.field() == "indenter.pieces";
     throw reader.error(of_samples ? "indenter.samples" : invalid.field(), invalid.what());
   }

@@ -1,5 +1,6 @@
 #pragma once
-// A problem file, TOML, as an exact contact problem. The rules and the messages of bad files are here.
+// Reads a problem file (TOML) as an exact contact problem. The rules of the format and the messages for bad files are
+// here.
 
 #include <optional>
 #include <string>
@@ -14,13 +15,13 @@ namespace steadyslide::library {
 inline constexpr std::size_t max_friction_values = 90000;
 inline constexpr std::size_t max_pieces = 50000;
 
-/// The measured profile that a problem's pieces come from.
+/// The measured profile from which the pieces of a problem were made.
 struct MeasuredProfile {
-  std::string file;  ///< as the problem file names it
+  std::string file;  ///< as the problem file writes it
   std::size_t points;
-  std::string x_unit{};       ///< m, mm, um or nm, the problem's unit of length; empty: not said
-  std::string height_unit{};  ///< that heights were given in; empty: that of x
-  bool flip = false;          ///< heights were given towards the body
+  std::string x_unit{};       ///< m, mm, um or nm, the problem's unit of length; empty if absent
+  std::string height_unit{};  ///< the unit of the heights in the file; empty: that of x
+  bool flip = false;          ///< true if heights are given towards the body
   std::optional<Trend> trend{};
 };
 
@@ -30,17 +31,17 @@ struct Problem {
   std::optional<MeasuredProfile> measured;
 };
 
-/// Reads a trace, too, if there are samples, relative to `name`. Throws InvalidFile.
+/// Reads a trace, too, if the file has samples; its path is relative to `name`. Throws InvalidFile.
 Problem parse_problem(std::string_view text, const std::string& name);
 
-/// The same of a document that is read already. `alike`: a problem with the same [indenter], whose profile is not read
-/// again.
+/// The same for a document that is already parsed. `alike`: a problem with the same [indenter]; its profile is used and
+/// not read again.
 Problem problem_of(const Value& document, const std::string& name, const Problem* alike = nullptr);
 
-/// Reads a file, or the standard input for "-". Throws InvalidFile, UnreadableFile.
+/// Reads a file, or the standard input for "-". Throws InvalidFile and UnreadableFile.
 Problem read_problem(const std::string& name);
 
-/// A problem file whose load and friction do not matter and may be left out: 1, and no friction.
+/// A problem file that needs neither load nor friction. If they are absent, the load is 1 and there is no friction.
 struct Punch {
   Problem problem;
   bool has_friction;

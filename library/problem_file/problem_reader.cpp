@@ -9,7 +9,7 @@
 namespace steadyslide::library {
 namespace {
 
-/// The text up to the next '.' or '[', and what follows; an index is "2]".
+/// Returns the text up to the next '.' or '[' and removes it from `field`. An index is "2]".
 std::string_view next_part(std::string_view& field) {
   const std::size_t end = std::min(field.find_first_of(".["), field.size());
   const std::string_view part = field.substr(0, end);

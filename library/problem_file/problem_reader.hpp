@@ -1,6 +1,6 @@
 #pragma once
-// Typed access to a document's values by field, "indenter.pieces[2].to"; every complaint names the file, the line and
-// the field, and is an InvalidFile.
+// Typed access to the values of a document by field, "indenter.pieces[2].to". Every error is an InvalidFile that names
+// the file, the line and the field.
 
 #include <initializer_list>
 #include <optional>
@@ -19,15 +19,15 @@ namespace steadyslide::library {
 
 class ProblemReader {
  public:
-  /// `kind`: what the document is meant to be.
+  /// `kind` names the expected document in messages.
   ProblemReader(const Value& root, std::string file, std::string kind = "a problem file")
       : root_(root), file_(std::move(file)), kind_(std::move(kind)) {}
 
-  /// "FILE:LINE: FIELD: WHAT", the line of the deepest part of the field that the file has.
+  /// "FILE:LINE: FIELD: WHAT", with the line of the deepest part of the field that exists in the file.
   InvalidFile error(const std::string& field, const std::string& what) const;
   InvalidFile error(const std::string& field, const std::string& what, const std::string& rule,
                     const std::string& value) const;
-  /// What `make` returns; the model's complaint as one about `prefix` + its field.
+  /// Returns what `make` returns. An InvalidData of the model becomes an error of the field `prefix` + its field.
   template <class Make>
   auto accepted(const std::string& prefix, Make make) const {
     try {
@@ -37,11 +37,11 @@ class ProblemReader {
     }
   }
 
-  /// Null if absent.
+  /// Null if the field is absent.
   const Value* find(const std::string& field) const { return locate(field).value; }
-  /// Complains, with this rule, if the field is absent.
+  /// Throws InvalidFile with this rule if the field is absent.
   const Value& required(const std::string& field, const std::string& rule) const;
-  /// Complains unless there is a table, and about its first key that is not one of these.
+  /// Throws InvalidFile if the field is not a table, and for its first key that is not in `keys`.
   void check_table(const std::string& field, std::initializer_list<std::string_view> keys) const;
   void check_keys(const std::string& field, std::initializer_list<std::string_view> keys) const;
 
@@ -53,9 +53,10 @@ class ProblemReader {
   const std::string& text(const std::string& field, const Value& value) const;
   const std::vector<Value>& list(const std::string& field, const Value& value, const std::string& of,
                                  std::size_t most) const;
-  /// None if absent.
+  /// Empty if the field is absent.
   std::vector<Rational> numbers(const std::string& field, std::size_t most) const;
-  /// Which of two words the field says, the first if it is absent. `what` is the complaint about others.
+  /// Returns which of two words the field has, and the first one if the field is absent. `what` is the error for other
+  /// words.
   template <class Choice>
   Choice choice(const std::string& field, const std::string& what, const std::pair<std::string, Choice>& first,
                 const std::pair<std::string, Choice>& second) const {
@@ -73,7 +74,7 @@ class ProblemReader {
 
     std::string place() const;
   };
-  /// The value at "a.b[2].c", or null and the line of the deepest part that exists.
+  /// Returns the value at "a.b[2].c", or null and the line of the deepest part that exists.
   Found locate(std::string_view field) const;
 
   const Value& root_;

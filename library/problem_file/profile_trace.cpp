@@ -12,11 +12,11 @@
 namespace steadyslide::library {
 namespace {
 
-/// Bits of all coefficients together: about twice those of 10^6 points with 17 digits each.
+/// The most bits of all coefficients together: about twice those of 10^6 points with 17 digits each.
 constexpr std::size_t most_bits = 1000000000;
-/// Of one sum over a trace: numbers without a common denominator let it grow with every point.
+/// The most bits of one sum over a trace. A sum of numbers without a common denominator grows with every point.
 constexpr std::size_t most_sum_bits = 10000;
-/// Of the numbers of a trend that are kept as they are; others are rounded to so many digits.
+/// The numbers of a trend are kept exactly up to this many bits. Longer ones are rounded to `trend_digits` digits.
 constexpr std::size_t most_trend_bits = 128;
 constexpr int trend_digits = 20;
 
@@ -24,7 +24,7 @@ Rational of_trend(const Rational& value) {
   return bits(value) <= most_trend_bits ? value : parse_rational(full_number(value, trend_digits));
 }
 
-/// Sums of points for their mean, or for the line of least squares.
+/// Sums over points: for the mean of the heights, or for the line of least squares.
 class TrendSums {
  public:
   void add(const Rational& x, const Rational& y, bool with_line) {
@@ -38,7 +38,7 @@ class TrendSums {
 
   bool is_too_long() const { return std::max({bits(y_), bits(xx_), bits(xy_)}) > most_sum_bits; }
 
-  /// Of two different x at least.
+  /// The line needs at least two different x.
   Trend trend(Detrend kind) const {
     if (kind == Detrend::mean) return {kind, of_trend(y_ / count_), 0};
     const Rational slope = of_trend((count_ * xy_ - x_ * y_) / (count_ * xx_ - x_ * x_));

@@ -1,9 +1,9 @@
 #pragma once
 // A measured profile: points (x, psi) in a text file, joined by straight lines. Everything is exact, as in a problem
-// file; every complaint names the trace and the line.
+// file; every error message names the trace and the line.
 //
-//   One point a line, two columns (table_reader.hpp), x strictly increasing, both in the user's unit of length, psi away
-//   from the body.
+//   Each line is a point with two columns (table_reader.hpp). x increases strictly. Both are in the user's unit of
+//   length; psi points away from the body.
 
 #include <optional>
 #include <string>
@@ -21,17 +21,17 @@ struct Support {
   Rational right;
 };
 
-/// What is taken off the heights.
+/// The part that is subtracted from the heights.
 enum class Detrend { none, mean, line };
 
-/// What the second column means: psi is `factor` times it, then without its trend.
+/// The conversion of the second column: psi is `factor` times the column, minus the trend.
 struct Heights {
   Rational factor = 1;
   Detrend detrend = Detrend::none;
 };
 
-/// height + slope x, the mean of all heights of the file or their line of least squares: from exact sums, kept exactly
-/// up to 128 bits a number, and otherwise rounded to 20 significant digits.
+/// The trend height + slope x: the mean of all heights of the file, or their line of least squares. It comes from exact
+/// sums. Its numbers are exact up to 128 bits each; longer ones are rounded to 20 significant digits.
 struct Trend {
   Detrend kind;
   Rational height;
@@ -39,14 +39,14 @@ struct Trend {
 };
 
 struct ProfileTrace {
-  std::size_t points;                   ///< in the file
-  Support range;                        ///< first and last x in the file
-  std::vector<Indenter::Piece> pieces;  ///< one for each two neighbours, as far as the support reaches
-  std::optional<Trend> trend{};         ///< what was taken off
+  std::size_t points;                   ///< number of points in the file
+  Support range;                        ///< first and last x of the file
+  std::vector<Indenter::Piece> pieces;  ///< one between each two neighbouring points, cut at the ends of the support
+  std::optional<Trend> trend{};         ///< the trend that was subtracted
 };
 
-/// Without a support, the trace's own range is it; else the pieces are cut at its ends. A support beyond the range is
-/// the caller's to refuse. Throws InvalidFile.
+/// The range of the trace is the support if `support` is absent; otherwise the pieces are cut at the ends of the
+/// support. The caller has to refuse a support that exceeds the range. Throws InvalidFile.
 ProfileTrace parse_trace(std::string_view text, const std::string& name, const std::optional<Support>& support,
                          const Heights& heights = {});
 

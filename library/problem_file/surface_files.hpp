@@ -1,12 +1,12 @@
 #pragma once
 // Points below the surface, places and nodes on it, as tables (table_reader.hpp):
 //
-//   x         places: where samples are asked for,
-//   x,z       points, z > 0 the depth: where stresses are asked for,
+//   x         places of samples,
+//   x,z       points of stresses, z > 0 the depth,
 //   x         nodes of linear elements, x increasing,
 //   x,order   the same with elements of order 1 or 2, one order for all; order 2: every second node is a midside one.
 //
-// All in the user's unit of length, exact. Every complaint names the file and the line.
+// All in the user's unit of length, exact. Every error message names the file and the line.
 
 #include <optional>
 #include <string>
@@ -25,26 +25,27 @@ struct DepthPoint {
   Rational z;
 };
 
-/// Throw InvalidFile "NAME:LINE: what is wrong; the rule; the value".
+/// These functions throw InvalidFile "NAME:LINE: what is wrong; the rule; the value".
 std::vector<DepthPoint> parse_depth_points(std::string_view text, const std::string& name);
 std::vector<DepthPoint> read_depth_points(const std::string& name);
 
-/// The same; at most `most` places.
+/// Throws like parse_depth_points, also if there are more than `most` places.
 std::vector<Rational> parse_places(std::string_view text, const std::string& name, std::size_t most);
 std::vector<Rational> read_places(const std::string& name, std::size_t most);
 
 class MeshFile {
  public:
-  /// The same.
+  /// Throws like parse_depth_points.
   MeshFile(std::string_view text, std::string name);
 
   const SurfaceMesh& mesh() const { return *mesh_; }
-  /// What is wrong with the mesh, at the node that "nodes[i]" tells, or with all of it.
+  /// Returns the error of an invalid mesh with its line: the line of the node if the field is "nodes[i]", otherwise the
+  /// last line.
   InvalidFile error(const InvalidData& invalid) const;
 
  private:
   std::string name_;
-  std::vector<std::size_t> lines_;  ///< of the nodes
+  std::vector<std::size_t> lines_;  ///< the line of each node
   std::optional<SurfaceMesh> mesh_;
 };
 

@@ -21,7 +21,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(0, text.find_last_not_of(blanks) + 1);
 }
 
-/// Of a line that is not blank.
+/// The columns of a line that is not blank.
 std::vector<std::string_view> columns_of(std::string_view line) {
   std::vector<std::string_view> columns;
   const std::string_view separators = line.find(';') != line.npos ? ";" : line.find(',') != line.npos ? "," : blanks;

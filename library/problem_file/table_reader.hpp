@@ -1,9 +1,9 @@
 #pragma once
 // Tables of numbers in text files.
 //
-//   One row a line, columns separated by a semicolon if the line has one, else by a comma if it has one, else by blanks or
-//   tabs. From # on a line is a comment; the first line that is more than a comment is a header if it begins with something
-//   else than a digit, a sign or a point. CRLF and a byte order mark are fine.
+//   Each line is a row. Columns are separated by a semicolon if the line has one, otherwise by a comma if it has one,
+//   otherwise by blanks or tabs. The rest of a line from # on is a comment. The first line that is more than a comment
+//   is a header unless it begins with a digit, a sign or a point. CRLF and a byte order mark are allowed.
 
 #include <functional>
 #include <string>
@@ -15,11 +15,11 @@
 
 namespace steadyslide::library {
 
-/// What a table is, for its messages.
+/// The words for a table in error messages.
 struct TableRules {
   std::string kind;                  ///< "a trace"
   std::string row;                   ///< "x,psi"
-  std::vector<std::string> columns;  ///< their names
+  std::vector<std::string> columns;  ///< names of the columns
   std::size_t fewest_columns;
 };
 
@@ -27,13 +27,12 @@ class TableReader {
  public:
   TableReader(std::string name, TableRules rules) : name_(std::move(name)), rules_(std::move(rules)) {}
 
-  /// Calls row(numbers, line) for each row: exact numbers, as many as its columns. Throws
-  /// InvalidFile.
+  /// Calls row(numbers) for each row, with one exact number for each column. Throws InvalidFile.
   void read(std::string_view text, const std::function<void(std::vector<Rational>&)>& row);
 
-  /// Of the row at hand; after the last one of the file's end.
+  /// The line of the current row; after the last row, the last line of the file.
   std::size_t line() const { return line_ == 0 ? 1 : line_; }
-  /// "NAME:LINE: what".
+  /// Returns the error "NAME:LINE: what".
   InvalidFile error(const std::string& what) const { return error_at(line(), what); }
   InvalidFile error(const std::string& what, const std::string& rule, const std::string& value) const {
     return error(what + "; " + rule + "; " + value);

@@ -37,13 +37,13 @@ Json problem_json(const ContactProblem& problem) {
       {"indenter", {{"left", exact_text(problem.indenter().left())}, {"pieces", std::move(pieces)}}}};
 }
 
-/// How a ball is written.
+/// A function that writes a ball.
 using WrittenBall = std::function<std::string(const Ball&)>;
 
-/// The contact and the box of its unknowns.
+/// Adds the contact and the box of its unknowns.
 void add_box(Json& json, const enclosure::ContactBox& box, bool tilts, const WrittenBall& written) {
   Json points = Json::array();
-  Json segments = Json::array();  // is there contact on the right of each point?
+  Json segments = Json::array();  // true: contact on the right of the point
   std::size_t unknown = 0;
   bool in_contact = false;
   for (const ContactTopology::Point& point : box.topology.points) {
@@ -84,11 +84,12 @@ Json heading(const char* kind, const ContactProblem& problem, const Frame& frame
   return json;
 }
 
-/// A number near x that is above it (below it) and has few digits; x has far fewer bits than a double's last.
+/// Return a number near x that is above it (below it) and has few digits. The radius of x is far smaller than the last
+/// bit of a double.
 std::string above(const Ball& x) { return fmt::format("{}", std::nextafter(x.to_double(), 1e300)); }
 std::string below(const Ball& x) { return fmt::format("{}", std::nextafter(x.to_double(), -1e300)); }
 
-/// The interval, with room for other rounding in the bound that it has.
+/// Returns the interval. Its bounds leave room for another rounding.
 Json interval_json(const Ball& ball) {
   const Ball room = ball.radius() / Ball(1000000);
   return {below((ball.lower() - room).lower()), above((ball.upper() + room).upper())};
@@ -104,7 +105,7 @@ std::string finished(Json json, const ContactProblem& problem) {
 std::string certificate(const ContactProblem& problem, const enclosure::ContactProof& proof, int digits) {
   Json json = heading("solution", problem, proof.problem.frame, proof.bits);
   json["problem"]["load"] = exact_text(problem.load());
-  // Wide enough for whoever proves it again to see it contract, narrow enough for every sign.
+  // The box is wide enough that a checker with other numbers sees it contract, and narrow enough to decide every sign.
   const Ball unit = power(Ball(10, proof.bits), -digits);
   add_box(json, proof.box, problem.load_at().has_value(), [&](const Ball& proved) {
     const Ball width = unit * max(Ball(1), abs(proved));

@@ -1,5 +1,5 @@
 #pragma once
-// The certificate of a proved solution: all that is needed to prove it again (docs/certificate.md).
+// The certificate of a proved solution: all data that a checker needs to prove it again (docs/certificate.md).
 
 #include <string>
 
@@ -8,13 +8,13 @@
 
 namespace steadyslide::library {
 
-/// JSON. `proof` is one: proved, to so many digits.
+/// Returns the certificate as JSON. `proof` has to be proved, to `digits` digits.
 std::string certificate(const ContactProblem& problem, const enclosure::ContactProof& proof, int digits);
 
-/// Of a bound for pressures on cells, proved.
+/// The certificate of a proved error bound for pressures on cells.
 std::string certificate(const ContactProblem& problem, const enclosure::CellBound& bound);
 
-/// Of a solution for all loads of intervals that follow each other.
+/// The certificate of solutions for all loads of consecutive intervals.
 std::string certificate(const ContactProblem& problem, const std::vector<enclosure::LoadInterval>& intervals);
 
 }  // namespace steadyslide::library

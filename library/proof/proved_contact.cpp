@@ -24,7 +24,7 @@ std::optional<enclosure::ContactProof> proved_contact(const ContactProblem& prob
   for (const int solved_with : std::array{16, 50, 100}) {
     if (solved_with < first) continue;
     const std::optional<FoundContact> solution = found(solved_with);
-    // The proof decided a sign the wrong way at these ends. More digits of the same ends cannot change that.
+    // The proof showed that a sign is wrong with these ends. More digits of the same ends cannot change that.
     if (!solution || (refuted && same_contact_set(*refuted, solution->contact))) break;
     proof = enclosure::prove_contact(problem, solution->contact, digits, work);
     const bool is_hopeless = solved_with > 16 && !solution->is_solved;

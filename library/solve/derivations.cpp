@@ -8,7 +8,7 @@
 namespace steadyslide::library {
 namespace {
 
-/// Every further jump of its own height may double the field in which the closed form is decided.
+/// Every further jump with another height may double the degree of the field in which the closed form is decided.
 constexpr std::size_t most_jumps_of_closed_form = 8;
 
 std::vector<symbolic::Derivation> closed_forms(const ContactProblem& problem) {
@@ -16,7 +16,7 @@ std::vector<symbolic::Derivation> closed_forms(const ContactProblem& problem) {
   try {
     return symbolic::riemann_hilbert_derivations(problem);
   } catch (const std::domain_error&) {
-    return {};  // the profile has no closed form; its exponents are derived all the same
+    return {};  // the profile has no closed form; the exponents are derived nevertheless
   }
 }
 

@@ -7,7 +7,7 @@
 
 namespace steadyslide::library {
 
-/// How each exponent of a problem comes about and, where there is one, its closed form.
+/// Returns the derivation of each exponent of a problem and, if there is one, of its closed form.
 std::vector<symbolic::Derivation> derivations(const ContactProblem& problem);
 
 }  // namespace steadyslide::library

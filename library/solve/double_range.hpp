@@ -1,5 +1,5 @@
 #pragma once
-// Sizes that double can work with.
+// Tests whether the size of a number suits double.
 
 #include <cmath>
 
@@ -7,7 +7,7 @@
 
 namespace steadyslide::library {
 
-/// Zero, or of a size whose squares and quotients neither overflow nor vanish in double. False of what is no number, too.
+/// True for zero and for sizes whose squares and quotients neither overflow nor underflow in double. False for NaN.
 template <numeric::Real R>
 bool squares_in_double(const R& value) {
   using std::abs;
@@ -15,8 +15,8 @@ bool squares_in_double(const R& value) {
   return size == 0 || (size > R(1e-150) && size < R(1e150));
 }
 
-/// Zero, or of a size that double has with all its digits: enough for what nothing else is calculated from, as an intensity at
-/// the end of a gap of 1e-200.
+/// True for zero and for sizes that double represents with full precision. That is enough for numbers that enter no
+/// further computation, such as an intensity at the end of a gap of 1e-200.
 template <numeric::Real R>
 bool has_double(const R& value) {
   using std::abs;
@@ -24,7 +24,8 @@ bool has_double(const R& value) {
   return size == 0 || (size > R(1e-300) && size < R(1e300));
 }
 
-/// Has it nothing to lose in double: not known, or to three digits only, or infinite, or of such a size?
+/// True if double loses nothing: the estimate is unknown, infinite, accurate to three digits only, or of a size that
+/// `fits`.
 template <numeric::Real R>
 bool is_in_range(const numeric::Estimate<R>& estimate, bool (*fits)(const R&) = squares_in_double<R>) {
   using std::abs, std::isinf;

@@ -40,7 +40,7 @@ std::string failed_condition(const numeric::ContactSolution<R>& solution, const 
                              double most_residual, bool converged) {
   if (std::string text = solution.failed_condition(); !text.empty()) return text;
   for (const auto& [name, value] : named(residuals)) {
-    const bool small = value <= most_residual;  // no number is not
+    const bool small = value <= most_residual;  // false for NaN
     if (!small) return fmt::format("{} has the residual {}", name, size_text(value, 2));
   }
   if (!converged) return "a value stalled before its tolerance";

@@ -1,5 +1,5 @@
 #pragma once
-// What stands in the way of calling the best state that a method has reached a solution.
+// The reason why the best state that a method has reached is not a solution.
 
 #include <string>
 #include <utility>
@@ -9,11 +9,12 @@
 
 namespace steadyslide::library {
 
-/// A solution with a larger residual is none; of a method on cells, failed_condition() weighs its residuals itself.
+/// A state with a larger residual is not a solution. Methods on cells judge their residuals in their own
+/// failed_condition().
 inline constexpr double largest_residual = 1e-9;
 
-/// Of estimated errors, relative as in numeric::EstimatedError. Above the first a warning, above the second no
-/// solution.
+/// Limits of estimated errors, relative as in numeric::EstimatedError. Above the first one there is a warning; above
+/// the second one the state is not a solution.
 inline constexpr double large_error = 0.1;
 inline constexpr double useless_error_from = 0.5;
 
@@ -27,14 +28,14 @@ std::vector<NamedError> named(const numeric::EstimatedError<R>& error);
 template <numeric::Real R>
 std::vector<std::pair<std::string, R>> named(const numeric::Residuals<R>& residuals);
 
-/// "12 %", "unknown" if it is not finite.
+/// Returns "12 %", or "unknown" if the number is not finite.
 std::string percent(double part);
 
-/// Empty unless one of the errors is above 50 %, or no number.
+/// The reason if one of the errors is above 50 % or NaN; otherwise empty.
 template <numeric::Real R>
 std::string useless_error(const numeric::EstimatedError<R>& error);
 
-/// In words; empty for a solution. `converged`: has every value that was asked for?
+/// Returns the reason in words; empty for a solution. `converged`: every requested value reached its tolerance.
 template <numeric::Real R>
 std::string failed_condition(const numeric::ContactSolution<R>& solution, const numeric::Residuals<R>& residuals,
                              double most_residual = largest_residual, bool converged = true);

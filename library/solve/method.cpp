@@ -16,14 +16,15 @@
 namespace steadyslide::library {
 namespace {
 
-/// Of an exact number, as double_range.hpp says of an approximate one.
+/// squares_in_double() for an exact number.
 bool is_comfortable(const Rational& value) {
   // A number beyond the range of double is 0 or infinite there.
   return value == 0 || (value.convert_to<double>() != 0 && squares_in_double(value.convert_to<double>()));
 }
 
-/// Concave corners under pressure, as far as cells show it, with a gap that double can hold: under the pressure p it is as long
-/// as exp(-pi (1 + s^2) p/D), D the corner's jump of slope. A kink at rounding level has none.
+/// The number of concave corners under pressure, as far as cells show it, with a gap that double can represent. Under
+/// the pressure p the gap is as long as exp(-pi (1 + s^2) p/D), D the corner's jump of slope. A kink at rounding level
+/// has no such gap.
 std::ptrdiff_t gaps_in_contact(const ContactProblem& problem, const std::vector<Indenter::Break>& concave) {
   constexpr double least_logarithm = -690;
   const auto rough = numeric::variational_inequality(problem, {.cells = 1024}).solution;
@@ -37,7 +38,8 @@ std::ptrdiff_t gaps_in_contact(const ContactProblem& problem, const std::vector<
   });
 }
 
-/// Would the Riemann-Hilbert method take more than a second for gaps over concave corners, each of which it finds in 0.1 s?
+/// True if the Riemann-Hilbert method is predicted to take more than a second for gaps over concave corners, at 0.1 s
+/// each.
 bool gaps_are_slow(const ContactProblem& problem) {
   constexpr std::ptrdiff_t slow = 10;
   std::vector<Indenter::Break> concave = problem.indenter().breaks();
@@ -58,12 +60,12 @@ Method method_named(std::string_view name) {
 bool takes_variational(Method method, const ContactProblem& problem, bool certify, int digits) {
   if (method == Method::variational) return true;
   if (method != Method::automatic) return false;
-  // Proofs cost as much as many digits do.
+  // A proof costs as much as 50 digits.
   const numeric::Digits costs = certify ? numeric::Digits::fifty : numeric::Digits::sixteen;
   if (!numeric::too_many_friction_pieces(problem, costs).empty()) return true;
   const bool too_much = !numeric::too_many_profile_breaks(problem, costs).empty() ||
                         numeric::may_have_many_gaps(problem) || (!certify && digits <= 16 && gaps_are_slow(problem));
-  return too_much && !numeric::closed_form<double>(problem).solution;  // pieces can all be the same polynomial
+  return too_much && !numeric::closed_form<double>(problem).solution;  // all pieces may be the same polynomial
 }
 
 std::string fallen_back(const std::string& why) {

@@ -1,5 +1,5 @@
 #pragma once
-// Which method solves a problem, and in which precision.
+// Chooses the method that solves a problem, and its precision.
 
 #include <string>
 #include <string_view>
@@ -13,37 +13,42 @@ namespace steadyslide::library {
 
 enum class Method { automatic, closed_form, riemann_hilbert, variational };
 
-/// Of "auto", "closed-form", "riemann-hilbert", "variational". Throws InvalidData (field empty).
+/// Returns the method called "auto", "closed-form", "riemann-hilbert" or "variational". Throws InvalidData (field
+/// empty).
 Method method_named(std::string_view name);
 
-/// Is it the variational method that solves this problem? Always if asked for; `automatic` takes it where the profile
-/// has more breaks, or the friction more values, than the other methods take, or than they prove, and, for 16 digits without a
-/// proof, where the Riemann-Hilbert method is predicted to take more than a second. It finds a gap over each concave corner
-/// inside the contact, 0.1 s each; how many there are that double can hold a solution on 1024 cells tells.
+/// True if the variational method solves this problem: always for Method::variational. Method::automatic chooses it if
+/// the profile has more breaks or the friction has more values than the other methods accept, or than they can prove.
+/// For 16 digits without a proof it also chooses it if the Riemann-Hilbert method is predicted to take more than a
+/// second. That method finds a gap over each concave corner inside the contact, 0.1 s each; a solution on 1024 cells
+/// predicts how many of them double can represent.
 bool takes_variational(Method method, const ContactProblem& problem, bool certify, int digits = 16);
 
-/// The rule for more digits than 16.
+/// The rule for more than 16 digits.
 inline constexpr const char* digits_on_cells = "the variational method works in double, 16 digits at most";
 
-/// May cells solve what the Riemann-Hilbert method has not: 16 digits or fewer, and no method asked for?
+/// True if the variational method may replace a Riemann-Hilbert solve that failed: 16 digits or fewer, and no method
+/// chosen by the user.
 inline bool may_fall_back(Method method, int digits) { return method == Method::automatic && digits <= 16; }
 
-/// The warning of an answer on cells, the Riemann-Hilbert method having failed before; `why` it did.
+/// The warning of a solution on cells after the Riemann-Hilbert method failed; `why` gives the reason of the failure.
 std::string fallen_back(const std::string& why);
 
-/// The closed form where it is asked for or applies, else Riemann-Hilbert, from the solution `start` if there is one.
+/// Solves by the closed form if it is chosen or applies, otherwise by Riemann-Hilbert, from the solution `start` if it
+/// is not null.
 template <numeric::Real R>
 numeric::Attempt<R> attempt(Method method, const ContactProblem& problem, const numeric::ContactSolution<R>* start);
 
-/// Are all data, and these places, of a size with which double calculates without overflow?
+/// True if all data and the places `at` have a size with which double calculates without overflow.
 bool fits_double(const ContactProblem& problem, const std::vector<Rational>& at);
 
-/// May an answer in double that is not good enough be given up for one of more digits? Not of measured profiles: with so
-/// many pieces it would take minutes, and what double does not know stands beside each number.
+/// True if a bad answer in double may be replaced by one with more digits. False for profiles with many pieces, as
+/// measured ones have: that would take minutes, and every number has its error beside it.
 bool may_take_more_digits(const ContactProblem& problem);
 
-/// What `solve_in.operator()<R>()` returns: for 16 digits or fewer in double, unless that does not fit the problem or
-/// is not `good` and more digits may be taken; then, and for more digits, in the type that has them.
+/// Returns what `solve_in.operator()<R>()` returns. For 16 digits or fewer R is double, unless double does not fit the
+/// problem, or the answer is not `good` and more digits may be taken. In these cases, and for more digits, R is the
+/// type that has the digits.
 template <class SolveIn, class Good>
 auto in_precision(int digits, const ContactProblem& problem, const std::vector<Rational>& at, SolveIn solve_in,
                   Good good) {

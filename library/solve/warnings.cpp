@@ -15,10 +15,10 @@ namespace {
 using numeric::ContactComponent;
 using numeric::Real;
 
-/// The part of the support at each of its ends in which all contact of a trace with wrong units or sign lies.
+/// The fraction of the support at each of its ends. All contact of a trace with a wrong unit or sign lies there.
 constexpr double sliver = 0.01;
 
-/// Ends of contact where the support of a trace ends.
+/// The ends of contact at which the support of a trace ends.
 template <Real R>
 std::string cut_end(const std::vector<ContactComponent<R>>& contact) {
   std::string places;
@@ -47,7 +47,7 @@ std::string sliver_only(const Indenter& indenter, const std::vector<ContactCompo
       number_text(contact.front().left.x, 6).shown, number_text(contact.back().right.x, 6).shown);
 }
 
-/// The size of what is added up to a polynomial's slope at x.
+/// The sum of the sizes of the terms of a polynomial's slope at x.
 Rational size_of_slope(const Polynomial& polynomial, const Rational& x) {
   Rational size = 0;
   Rational power = 1;
@@ -56,8 +56,8 @@ Rational size_of_slope(const Polynomial& polynomial, const Rational& x) {
   return size;
 }
 
-/// The breaks whose kink is no larger than what 16 roundings to double make of both slopes: of coefficients that a
-/// program has written.
+/// The breaks whose kink is at most as large as 16 roundings to double of both slopes. Such kinks come from
+/// coefficients that a program has written.
 std::vector<Rational> rounded_kinks(const Indenter& indenter) {
   const Integer roundings = Integer(1) << (std::numeric_limits<double>::digits - 4);
   std::vector<Rational> result;
@@ -96,7 +96,7 @@ template <Real R>
 std::vector<std::string> warnings(const Problem& problem, const numeric::ContactSolution<R>& solution) {
   std::vector<std::string> result;
   for (const NamedError& error : named(solution.estimated_error())) {
-    const bool fine = error.value <= large_error;  // no number is not
+    const bool fine = error.value <= large_error;  // false for NaN
     if (fine) continue;
     result.push_back(fmt::format("{}: {}; more than {} of {}; {}", error.name, estimated_error_warning,
                                  percent(large_error), error.of, percent(error.value)));

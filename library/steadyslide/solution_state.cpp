@@ -20,7 +20,8 @@ namespace {
 using numeric::Estimate;
 using numeric::Real;
 
-/// Estimates of one precision as numbers with so many digits; of many numbers their text would cost more than they do.
+/// Converts estimates of one precision to numbers with `digits` digits, or without a text for 0: for many numbers the
+/// texts would cost more than the numbers.
 template <Real R>
 struct Numbers {
   int digits;
@@ -71,7 +72,8 @@ struct Numbers {
   }
 };
 
-/// Of a mesh whose nodes were computed in double, those beside the middle of an element by rounding alone are in the middle.
+/// The exact nodes of a mesh. A midside node that misses the middle of its element by rounding only is moved to the
+/// middle.
 std::vector<Rational> nodes_of(const Mesh& mesh) {
   std::vector<Rational> nodes;
   for (const Exact& node : mesh.nodes) nodes.push_back(rational(node, "nodes[" + std::to_string(nodes.size()) + "]"));

@@ -18,7 +18,7 @@
 namespace steadyslide {
 namespace {
 
-/// A TOML string.
+/// A text as a TOML string.
 std::string toml_text(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
@@ -75,7 +75,7 @@ std::string problem_text(const ProblemData& data) {
   return text;
 }
 
-/// The limit of the larger size.
+/// Returns the limit of the larger size.
 const Number& larger(const Limits& limits) {
   return std::abs(limits.right.value) > std::abs(limits.left.value) ? limits.right : limits.left;
 }

@@ -1,20 +1,21 @@
 #pragma once
 /// \file
-/// Steady sliding contact of an indenter on an elastic half-plane whose friction coefficient jumps: this header is all that
-/// a program needs.
+/// Steady sliding contact of an indenter on an elastic half-plane, with a friction coefficient that jumps along the
+/// surface. A program needs only this header.
 ///
 ///     const auto problem = steadyslide::read_problem("two_coatings.toml");
 ///     const auto solution = steadyslide::solve(problem);              // or solve(problem, {.digits = 50})
 ///     std::cout << solution.effective_friction().value << ' ' << solution.traction("1/2").value << '\n';
 ///
-/// Signs and units: x along the surface, z > 0 the depth; traction t <= 0, shear along +x, gap >= 0, slope = u'; stresses are
-/// positive in tension; all in the user's units, forces per unit of thickness (docs/conventions.md).
+/// Signs and units: x is along the surface, z > 0 is the depth. The traction is t <= 0, the shear is along +x, the gap
+/// is >= 0, the slope is u'. Stresses are positive in tension. All numbers are in the user's units; forces are per unit
+/// of thickness (docs/conventions.md).
 ///
-/// Errors: data that break a rule throw InvalidData with what the command line says of them; a file that cannot be read
-/// throws std::system_error. A solve that does not converge throws nothing: Solution::solved(), failed_condition().
+/// Errors: data that break a rule throw InvalidData, with the message of the command line. A file that cannot be read
+/// throws std::system_error. A solve that does not converge throws nothing: check Solution::solved() and
+/// failed_condition().
 ///
-/// Threads: every class here may be copied and read by any number of threads at a time, and all functions may be called
-/// from several.
+/// Threads: any number of threads may copy and read every class here at the same time, and may call all functions.
 
 #include <cstddef>
 #include <memory>
@@ -36,8 +37,9 @@ namespace steadyslide {
 /// The library's version, "0.1.0".
 STEADYSLIDE_API const char* version();
 
-/// A number as data are given: exactly what is written, "0.1", "1/3", "2.5e-3". A double is the shortest decimal that gives
-/// it back: 0.1 is 1/10. That a text is no number is said where it is used.
+/// A number as input, exactly as it is written: "0.1", "1/3", "2.5e-3". A double becomes the shortest decimal that
+/// rounds to it: 0.1 becomes 1/10. The text is not checked here; a function that uses it throws InvalidData if it is
+/// not a number.
 class STEADYSLIDE_API Exact {
  public:
   Exact(std::string text) : text_(std::move(text)) {}
@@ -53,15 +55,15 @@ class STEADYSLIDE_API Exact {
   std::string text_;
 };
 
-/// A result: the double nearest to it, its estimated absolute error, and all digits that were asked for. Not known: no
-/// number, and no digits.
+/// A result: the double nearest to it, its estimated absolute error, and all requested digits. For an unknown result,
+/// `value` is NaN, `error` is infinite and `digits` is empty.
 struct Number {
   double value = 0;
   double error = 0;
   std::string digits;
 };
 
-/// The limits from both sides; equal where the function is continuous, infinite where it blows up.
+/// The limits from both sides. They are equal where the function is continuous, and infinite where it is unbounded.
 struct Limits {
   Number left;
   Number right;
@@ -77,36 +79,38 @@ struct ProfilePiece {
   std::string profile;
 };
 
-/// A problem file's data (docs/problem-file.md), with its defaults.
+/// The data of a problem file, with its defaults (docs/problem-file.md).
 struct ProblemData {
   Exact load;                      ///< P > 0
-  std::vector<Exact> friction;     ///< one value more than jumps
-  std::vector<Exact> jumps = {};   ///< where the friction jumps
-  std::optional<Exact> poisson{};  ///< this, or gamma
+  std::vector<Exact> friction;     ///< one value more than there are jumps
+  std::vector<Exact> jumps = {};   ///< the places at which the friction jumps
+  std::optional<Exact> poisson{};  ///< give either `poisson` or `gamma`
   std::optional<Exact> young{};
   std::optional<std::string> plane{};  ///< "strain" or "stress"
   std::optional<Exact> gamma{};
   std::optional<std::string> sliding{};  ///< "+x" or "-x"
-  std::optional<Exact> load_at{};        ///< where the load acts on an indenter that may tilt
-  std::vector<Exact> support{};          ///< left and right, or none for -1, 1
-  std::optional<std::string> profile{};  ///< a polynomial of x, "x^2/2"; or pieces, or samples
+  std::optional<Exact> load_at{};        ///< the place of the load, for an indenter that may tilt
+  std::vector<Exact> support{};          ///< left and right end; empty for -1 and 1
+  std::optional<std::string> profile{};  ///< a polynomial of x, "x^2/2"; or give `pieces` or `samples`
   std::vector<ProfilePiece> pieces{};
-  std::optional<std::string> samples{};  ///< a trace's file
-  std::optional<ElasticBody> elastic{};  ///< the indenter
+  std::optional<std::string> samples{};  ///< the file of a measured profile
+  std::optional<ElasticBody> elastic{};  ///< the materials of the indenter
 };
 
-/// A contact problem, exact. It cannot be changed.
+/// An exact contact problem. It cannot be changed.
 class STEADYSLIDE_API Problem {
  public:
-  /// Throws InvalidData "friction.jumps[0]: what is wrong; the rule; the value", fields named as in problem files.
+  /// Throws InvalidData "friction.jumps[0]: what is wrong; the rule; the value". Fields have the names of the problem
+  /// file.
   Problem(const ProblemData& data);
 
-  /// The text of a problem file; empty, there is no file in what InvalidData says. Samples are looked for beside `name`.
+  /// Reads the text of a problem file. Throws InvalidData; its message has no file name if `name` is empty. A measured
+  /// profile is looked for in the folder of `name`.
   static Problem from_text(std::string_view text, const std::string& name = "");
 
-  /// The problem file that says the same.
+  /// Returns the problem file of this problem.
   const std::string& text() const;
-  /// Of the file that it was read from; empty without one.
+  /// Returns the name of the file that the problem was read from; empty without a file.
   const std::string& name() const;
 
   struct Data;
@@ -117,14 +121,14 @@ class STEADYSLIDE_API Problem {
   std::shared_ptr<const Data> data_;
 };
 
-/// Throws InvalidData "FILE:LINE: what is wrong; the rule; the value", std::system_error for a file that cannot be
-/// read.
+/// Reads a problem file. Throws InvalidData "FILE:LINE: what is wrong; the rule; the value"; throws std::system_error
+/// if the file cannot be read.
 STEADYSLIDE_API Problem read_problem(const std::string& file);
 
 struct ContactEnd {
   Number x;
   std::string kind;  ///< edge, free, step, ...
-  Number exponent;   ///< t ~ -intensity d^exponent, d the distance
+  Number exponent;   ///< t ~ -intensity d^exponent, d the distance from the end
   Number intensity;
 };
 
@@ -138,132 +142,139 @@ struct ContactComponent {
 struct SolvedPoint {
   Number x;
   std::string kind;
-  std::optional<Number> exponent;  ///< absent: a logarithm
-  std::string symbolic;            ///< the exponent, exact: "-1/2 - arctan(3/35)/pi"
+  std::optional<Number> exponent;  ///< absent for a logarithm
+  std::string symbolic;            ///< the exact exponent: "-1/2 - arctan(3/35)/pi"
   Number intensity;
   Number constant;
-  std::optional<Number> stress_intensity_left;  ///< K in p ~ K (2 pi d)^exponent where there is contact
+  std::optional<Number> stress_intensity_left;  ///< K in p ~ K (2 pi d)^exponent; absent off the contact
   std::optional<Number> stress_intensity_right;
 };
 
-/// A place where the traction can be singular, whatever the contact turns out to be.
+/// A place where the traction can be singular, for any contact set.
 struct PossiblePoint {
-  std::string x;  ///< exact; empty: anywhere
+  std::string x;  ///< exact; empty for any place
   std::string kind;
-  std::string side;  ///< of x on which there is contact: left, right, both
+  std::string side;  ///< the side of x with contact: left, right, both
   std::optional<Number> exponent;
   std::string symbolic;
 };
 
-/// A gap over a notch of the profile that is too short for any place in it to have a number: a solution has contact there.
+/// A gap over a notch of the profile. It is too short to contain a number of the precision. The solution shows contact
+/// there.
 struct UnresolvedGap {
   Number x;
-  double log10_length = 0;  ///< by order of magnitude
+  double log10_length = 0;  ///< decimal logarithm of its length, an order of magnitude
 };
 
-/// The numbers of the whole contact, by name: normal, friction_force, mean_pressure, ... (library/answer/quantities.hpp).
-/// A finite largest pressure has no exponent. `tilt` exists if the indenter may tilt, `core` if the punch is rigid and flat.
-/// Without contact, widths and pressures are NaN.
+/// The quantities of the whole contact: normal, friction_force, mean_pressure, ... (library/answer/quantities.hpp). The
+/// largest pressure has an exponent only if it is infinite. `tilt` exists if the indenter may tilt, `core` if the punch
+/// is rigid and flat. Without contact, widths and pressures are NaN.
 using Resultants = answer::ResultantsOf<Number, std::optional<Number>>;
 using LargestPressure = Resultants::Largest;
-/// From left to right.
+/// From the left end to the right end.
 using Interval = answer::IntervalOf<Number>;
 
-/// All that is known of a place of the surface.
+/// All quantities at one place of the surface.
 struct SurfaceSample {
   Limits traction;
   Limits shear;
   std::optional<Number> gap;  ///< absent outside the support
   Limits slope;
-  Number displacement;     ///< u, zero at x = 0, or at the support's left end if x = 0 lies outside of it
+  Number displacement;     ///< u, zero at x = 0, or at the left end of the support if x = 0 lies outside of it
   Limits shear_slope;      ///< u_t'
   Number cumulative_load;  ///< the load left of x
 };
 
-/// At a point of the body; yy, the invariants with it and the gradient are absent with gamma instead of materials.
+/// Stresses at a point of the body. With `gamma` instead of materials, yy, mean, von_mises and the gradient are absent.
 struct Stress {
   Number xx, zz, xz, largest_shear;
   std::optional<Number> yy, mean, von_mises;
   std::optional<Number> ux_x, ux_z, uz_x, uz_z;  ///< d u_x/dx, ..., u_x and u_z along +x and +z
 };
 
-/// int t N and int t_t N on the body, N the shape function: along +z, into the body, and along +x.
+/// The forces -int t N along +z, into the body, and int t_t N along +x, N the shape function.
 struct NodalForce {
   Number normal;
   Number tangential;
 };
 
-/// Elements of the surface: linear ones between nodes, or quadratic ones with every second node in the middle of one (to
-/// 12 digits, since nodes are often computed in double).
+/// Elements of the surface. Order 1: linear elements between nodes. Order 2: quadratic elements; every second node is
+/// in the middle of its element, to 12 digits, because nodes are often computed in double.
 struct Mesh {
   std::vector<Exact> nodes;
   int order = 1;
 };
 
-/// What is proved of a solution in ball arithmetic. Its certificate is for steadyslide-check (docs/certificate.md).
+/// The result of a proof in ball arithmetic. The program steadyslide-check reads the certificate (docs/certificate.md).
 struct Proof {
   bool proved = false;
-  std::string reason;       ///< why not
+  std::string reason;       ///< the reason why it is not proved; empty if proved
   std::string certificate;  ///< JSON; empty if nothing is proved
-  /// Gaps of the certified solution, which may have been found with more digits. Left to right.
+  /// The unresolved gaps of the certified solution, from left to right. That solution may have more digits than the one
+  /// you called certify() on.
   std::vector<UnresolvedGap> unresolved_gaps{};
 
-  /// Writes the certificate. Throws std::runtime_error if there is none, or the file cannot be written.
+  /// Writes the certificate to a file. Throws std::runtime_error if there is none, or if the file cannot be written.
   STEADYSLIDE_API void save(const std::string& file) const;
 };
 
 struct SolveOptions {
   int digits = 16;              ///< 1 to 100
   std::string method = "auto";  ///< or closed-form, riemann-hilbert, variational
-  std::optional<int> cells{};   ///< of the variational method, 16 to 4194304
+  std::optional<int> cells{};   ///< number of cells of the variational method, 16 to 4194304
 };
 
-/// A solved problem, or the best state that was reached.
+/// A solved problem, or the best state that the method reached.
 class STEADYSLIDE_API Solution {
  public:
   bool solved() const { return failed_condition().empty(); }
-  /// What is violated, in words; empty where solved.
+  /// The violated condition in words; empty if solved.
   const std::string& failed_condition() const;
-  /// closed-form, riemann-hilbert or variational.
+  /// Returns closed-form, riemann-hilbert or variational.
   const std::string& method() const;
   int digits() const;
   const Problem& problem() const;
-  /// What a person should know before it is used: the warnings of the command solve, one line each.
+  /// Returns the warnings of the command `solve`, one line each. Read them before you use the solution.
   std::vector<std::string> warnings() const;
 
   std::vector<ContactComponent> contact() const;
   std::vector<SolvedPoint> singular_points() const;
-  /// Left to right.
+  /// From left to right.
   std::vector<UnresolvedGap> unresolved_gaps() const;
   Resultants resultants() const;
-  // One function for each quantity: effective_friction(), largest_pressure(), ... Each call computes all of them; if you need
-  // several, call resultants() once.
+  // One function for each quantity: effective_friction(), largest_pressure(), ... Each call computes all of them. If you
+  // need several, call resultants() once.
 #define STEADYSLIDE_QUANTITY(type, key, ...) \
   Resultants::type key() const { return resultants().key; }
   STEADYSLIDE_QUANTITIES(STEADYSLIDE_QUANTITY)
 #undef STEADYSLIDE_QUANTITY
 
-  /// Everything at one place. Throws InvalidData "x: ..." for what is no number.
+  /// Returns all quantities at one place. Throws InvalidData "x: ..." if x is not a number.
   SurfaceSample at(const Exact& x) const;
-  /// At one place; where the limits differ, that of the larger size. The gap is not known outside the support.
+  /// Return the value at one place; where the two limits differ, the one of larger size. The gap is unknown outside the
+  /// support. Throw InvalidData like at().
   Number traction(const Exact& x) const;
   Number shear(const Exact& x) const;
   Number gap(const Exact& x) const;
   Number slope(const Exact& x) const;
-  /// At many places, in double and without errors, tractions faster than one by one.
+  /// Return the values at many places in double, without errors. Tractions are faster than one by one. Throw
+  /// InvalidData if a place is not finite.
   std::vector<double> traction(std::span<const double> x) const;
   std::vector<double> shear(std::span<const double> x) const;
   std::vector<double> gap(std::span<const double> x) const;
   std::vector<double> slope(std::span<const double> x) const;
 
-  /// Below the surface, z > 0. Throws InvalidData.
+  /// Returns the stress below the surface, z > 0. Throws InvalidData if x or z is not a number, if z <= 0, or if z is
+  /// too small for 16 digits.
   Stress stress(const Exact& x, const Exact& z) const;
-  /// At many points, in double without further digits; spans of one length.
+  /// Returns the stresses at many points in double; `digits` of the numbers are empty. Both spans have the same length.
+  /// Throws InvalidData as above.
   std::vector<Stress> stress(std::span<const double> x, std::span<const double> z) const;
-  /// One for each node. Throws InvalidData of a mesh that is none, or that contact reaches beyond.
+  /// Returns one force for each node. Throws InvalidData if the mesh is invalid, or if the contact reaches beyond the
+  /// mesh.
   std::vector<NodalForce> nodal_forces(const Mesh& mesh) const;
 
-  /// Proves it. Takes some ten times as long as a solve.
+  /// Tries to prove the solution. This takes about ten times as long as a solve.
   Proof certify() const;
 
   struct State;
@@ -274,14 +285,15 @@ class STEADYSLIDE_API Solution {
   std::shared_ptr<const State> state_;
 };
 
-/// 16 digits are found in double, and where double is not enough with 50. Throws InvalidData for options out of range, and
-/// for a method that does not apply.
+/// Solves a problem. For 16 digits it computes in double, and with 50 digits if double is not enough. Throws
+/// InvalidData if an option is out of range, or if the chosen method does not apply.
 STEADYSLIDE_API Solution solve(const Problem& problem, const SolveOptions& options = {});
 
-/// Where the traction can be singular, and with which exponent.
+/// Returns the places where the traction can be singular, with the exponents. Throws InvalidData unless `digits` is 1
+/// to 100.
 STEADYSLIDE_API std::vector<PossiblePoint> exponents(const Problem& problem, int digits = 16);
 
-/// How the exponents come about, step by step, and the closed form where there is one.
+/// Returns the derivation of the exponents, step by step, and of the closed form if there is one.
 STEADYSLIDE_API std::string derivation(const Problem& problem);
 
 }  // namespace steadyslide

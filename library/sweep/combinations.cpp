@@ -16,7 +16,7 @@ void stands_in(Value& value, const std::string& file) {
   for (Value& item : value.items) stands_in(item, file);
 }
 
-/// Where the steps lead in the document; null if nowhere. Keys that are missing are made, with the line and the file
+/// Returns the value at the end of the steps; null if there is none. Missing keys are made, with the line and the file
 /// of `like`.
 Value* place(Value& root, const std::vector<Step>& steps, const Value& like) {
   Value* found = steps.empty() ? nullptr : &root;
@@ -42,7 +42,7 @@ Value* place(Value& root, const std::vector<Step>& steps, const Value& like) {
   return found;
 }
 
-/// Does one of the paths lead through the other?
+/// True if one of the paths leads through the other.
 bool overlap(const std::vector<Step>& a, const std::vector<Step>& b) {
   const std::size_t both = std::min(a.size(), b.size());
   return std::equal(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(both), b.begin());
@@ -53,7 +53,7 @@ bool overlap(const std::vector<Step>& a, const std::vector<Step>& b) {
 Combinations::Combinations(Value base, std::string file, std::vector<Axis> axes, const std::string& axes_file)
     : base_(std::move(base)), file_(std::move(file)), axes_file_(std::make_shared<const std::string>(axes_file)) {
   for (Axis& axis : axes) add(std::move(axis));
-  // A mistake in the base is one in every combination, and worth no sweep: what is said of the first one says where.
+  // A mistake in the base is in every combination. The sweep is then refused with the message of the first combination.
   std::optional<InvalidFile> first;
   for (std::size_t n = 0; n < std::min(size_, most_tried) && !known_; ++n) {
     try {

@@ -7,10 +7,10 @@
 
 namespace steadyslide::library {
 
-/// A key of a table, or the number of an entry of an array.
+/// A key of a table, or the index of an entry of an array.
 using Step = std::variant<std::string, std::size_t>;
 
-/// Of "a[2].b": a, 2, b. None for what is no path.
+/// Returns the steps of "a[2].b": a, 2, b. Empty if the text is not a path.
 std::vector<Step> steps_of(std::string_view path);
 
 }  // namespace steadyslide::library

@@ -3,7 +3,8 @@
 //
 //   x_k = from + (to - from) floor(u_k 10^12 / 2^64) / 10^12,   k = 0, 1, ...
 //
-// u_k are the numbers of SplitMix64 [SLF14] that starts from seed XOR fnv1a(name): data of one seed differ.
+// u_k are the numbers of SplitMix64 [SLF14] that starts from seed XOR fnv1a(name): so data with the same seed have
+// different numbers.
 
 #include <cstdint>
 #include <string_view>
@@ -13,10 +14,10 @@
 
 namespace steadyslide::library {
 
-/// The 64-bit hash FNV-1a of the bytes, which goes on from `hash`.
+/// Returns the 64-bit FNV-1a hash of the bytes. `hash` is the hash of the bytes before them.
 std::uint64_t fnv1a(std::string_view bytes, std::uint64_t hash = 0xcbf29ce484222325U);
 
-/// `count` numbers in [from, to[, exact: decimals where from and to are.
+/// Returns `count` numbers in [from, to[, exact. They are decimals if from and to are.
 std::vector<Rational> random_decimals(std::string_view name, std::uint64_t seed, const Rational& from,
                                       const Rational& to, std::size_t count);
 

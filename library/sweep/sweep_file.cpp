@@ -65,7 +65,7 @@ class SweepReader {
     return {parse_document(text, file), file};
   }
 
-  /// The names of measured profiles.
+  /// Returns the names of the measured profiles.
   static std::vector<std::string> traces(const Value& base, const std::vector<Axis>& axes) {
     std::vector<std::string> names;
     for (const std::string path : {"indenter.samples", "indenter.samples.file"}) {
@@ -81,7 +81,8 @@ class SweepReader {
     return names;
   }
 
-  /// Nothing for a file that cannot be read: problems will say so.
+  /// Returns the contents of a file in the folder of `file`; empty if it cannot be read. Its problems report that
+  /// error.
   static std::string contents_beside(const std::string& file, const std::string& name) {
     try {
       return name.empty() ? "" : read_input((std::filesystem::path(file).parent_path() / name).string(), "a trace");
@@ -90,7 +91,7 @@ class SweepReader {
     }
   }
 
-  /// In the order of the file: the data of [vary], and [together] as one.
+  /// In the order of the file: the data of [vary]; the data of [together] are one axis.
   std::vector<Axis> read_axes() const {
     std::vector<PlacedAxis> placed;
     for (auto& [position, datum] : read_data("vary")) placed.push_back({position, {std::move(datum)}});
@@ -127,7 +128,7 @@ class SweepReader {
     return data;
   }
 
-  /// Keys with dots make tables in tables: half_space.poisson is "half_space.poisson".
+  /// Keys with dots make tables inside tables: half_space.poisson is "half_space.poisson".
   void collect(const Value& table, const std::string& prefix, std::vector<PlacedDatum>& data) const {
     for (const Entry& entry : table.entries) {
       const std::string path = prefix + entry.key;

@@ -1,6 +1,6 @@
 #pragma once
-// A sweep, SWEEP.toml: a problem, the data of it that vary, and what is asked of each solution. The rules and the messages
-// of bad files are here; docs/sweep.md has an example.
+// Reads a sweep, SWEEP.toml: a problem, its varied data, and the results to compute for each solution. The rules of the
+// format and the messages for bad files are here; docs/sweep.md has an example.
 //
 //   problem = "base.toml"    or the table [problem]
 //   [vary]                   every combination of these data; the first changes slowest
@@ -8,7 +8,7 @@
 //   [output] columns         names of results
 //   [solve] digits, method, cells, iterations
 //
-// What a datum takes: an array; a range "first:last:step"; { random = N, from = ..., to = ..., seed = ... }.
+// The values of a datum: an array; a range "first:last:step"; { random = N, from = ..., to = ..., seed = ... }.
 
 #include <cstdint>
 #include <optional>
@@ -19,24 +19,25 @@
 
 namespace steadyslide::library {
 
-/// A word of the file that somebody else has to understand.
+/// A word of the file that another part of the program interprets.
 struct Word {
   std::string text;
-  std::string place;  ///< "FILE:LINE: output.columns[0]", which a complaint begins with
+  std::string place;  ///< "FILE:LINE: output.columns[0]", the beginning of an error message
 };
 
 struct SweepFile {
   Combinations problems;
-  std::vector<Word> columns;  ///< empty: not given
+  std::vector<Word> columns;  ///< empty if the file has none
   std::optional<Word> method;
   std::optional<int> digits;
   std::optional<int> cells;
   std::optional<int> iterations;
-  /// Of all texts: of the sweep, its problem, measured profiles. Other problems have another one.
+  /// A hash of the texts of the sweep, its problem and measured profiles. Sweeps of other problems have other
+  /// fingerprints.
   std::uint64_t fingerprint;
 };
 
-/// "-" is the standard input. Throws InvalidFile, UnreadableFile.
+/// Reads a file, or the standard input for "-". Throws InvalidFile and UnreadableFile.
 SweepFile read_sweep(const std::string& name);
 
 }  // namespace steadyslide::library

@@ -54,7 +54,7 @@ class ValuesReader {
   InvalidFile bad(const std::string& what, const std::string& rule, const std::string& value) const {
     return bad_at(entry_.value.line, fmt::format("{}; {}; {}", what, rule, value));
   }
-  /// What `make` returns; the model's complaint as one about this datum.
+  /// Returns what `make` returns. An InvalidData becomes an InvalidFile of this datum.
   template <class Make>
   auto accepted(std::size_t line, Make make) const {
     try {

@@ -7,8 +7,8 @@
 
 namespace steadyslide::library {
 
-/// The values that the entry of a sweep says the datum at `path` takes: an array, a range or random ones
-/// (sweep_file.hpp). Numbers are numbers, profiles polynomials. Throws InvalidFile.
+/// Returns the values that an entry of a sweep gives to the datum at `path`: an array, a range or random numbers
+/// (sweep_file.hpp). Numbers come back as numbers, profiles as polynomials. Throws InvalidFile.
 std::vector<Value> varied_values(const std::string& path, const Entry& entry, const std::string& file);
 
 }  // namespace steadyslide::library

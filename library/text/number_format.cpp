@@ -31,7 +31,7 @@ Scientific parts(const std::string& text) {
   return result;
 }
 
-/// `precision`: none for as many digits as give the double back, else digits - 1.
+/// `precision`: the digits minus 1, or nothing for as many digits as identify the double.
 template <class... Precision>
 Scientific scientific_text(double value, Precision... precision) {
   std::array<char, 160> buffer;
@@ -69,7 +69,7 @@ Scientific rounded_up(const R& value, int digits) {
   return scientific(value.backend().data(), digits, MPFR_RNDU);
 }
 
-/// The ball's midpoint, exactly.
+/// The exact midpoint of the ball.
 class Midpoint {
  public:
   explicit Midpoint(const enclosure::Ball& ball) {
@@ -106,14 +106,15 @@ std::string lay_out(const Scientific& number, int digits) {
 
 enclosure::Ball ball_of(const Rational& value, int digits) { return {value, enclosure::bits_for(digits)}; }
 
-/// An upper bound of the distance between what the text says and every number in the ball.
+/// Returns an upper bound of the distance between the number in the text and every number in the ball.
 std::string distance_text(const std::string& text, const enclosure::Ball& ball) {
   enclosure::Ball read(0, ball.bits());
   arb_set_str(read.get(), text.c_str(), ball.bits() + 64);
   return upper_text(abs(read - ball));
 }
 
-/// The most digits, up to so many, to which all numbers in the ball are rounded alike; 0 if there is none.
+/// Returns the largest number of digits, at most `digits`, to which all numbers in the ball round alike; 0 if there is
+/// none.
 int common_digits(const enclosure::Ball& ball, int digits) {
   if (ball.contains_zero()) return ball.is_zero() ? digits : 0;
   const enclosure::Ball low = ball.lower();
@@ -130,7 +131,7 @@ int common_digits(const enclosure::Ball& ball, int digits) {
   return 0;
 }
 
-/// The number nearest to a decimal.
+/// Returns the number nearest to a decimal.
 template <numeric::Real R>
 R number_of(const std::string& text) {
   if constexpr (std::same_as<R, double>) {
@@ -144,7 +145,7 @@ R number_of(const std::string& text) {
 
 constexpr int error_digits = 2;
 
-/// The error of a printed estimate: its own error and the rounding of the text.
+/// The error of a printed estimate: its own error plus the rounding of the text.
 template <numeric::Real R>
 Scientific error_of_text(const std::string& text, const numeric::Estimate<R>& estimate, int digits) {
   using std::abs;
@@ -155,7 +156,7 @@ std::string size_of(const Scientific& error, int digits) {
   return error.digits.find_first_not_of('0') == error.digits.npos ? "0" : lay_out(error, digits);
 }
 
-/// "80 +/- 120": a value that its error does not tell from 0, rounded to the error's last digit.
+/// "80 +/- 120": a value that does not exceed its error, rounded to the last digit of the error.
 template <numeric::Real R>
 std::string with_error(const numeric::Estimate<R>& estimate) {
   using std::abs;
@@ -166,7 +167,7 @@ std::string with_error(const numeric::Estimate<R>& estimate) {
   return fmt::format("{} +/- {}", value, lay_out(error_of_text(value, estimate, error_digits), plain));
 }
 
-/// The smallest p with error <= 10^p.
+/// Returns the smallest p with error <= 10^p.
 template <numeric::Real R>
 long last_place(const R& error) {
   const Scientific e = scientific(error, 17);
@@ -201,7 +202,7 @@ std::string format_number(const numeric::Estimate<R>& estimate, int digits) {
 template <numeric::Real R>
 std::string full_number(const R& value, int digits) {
   const auto nearest = static_cast<double>(value);
-  // Below the normal doubles there are fewer bits than digits, unless the value is a double itself.
+  // Below the normal doubles there are fewer bits than digits. A value that is itself a double is still exact.
   const bool stands_for_it = std::isnormal(nearest) || (nearest != 0 && value == R(nearest));
   return digits == 16 && stands_for_it && std::isfinite(nearest) ? lay_out(scientific_text(nearest), digits)
                                                                  : format_number(value, digits);
@@ -263,7 +264,7 @@ std::string format_number(const Rational& value, int digits) {
 std::string exact_text(const Rational& value) {
   std::string text = to_string(value);
   if (text.size() <= 60) return text;
-  // A decimal, if there is one: digits * 10^-places.
+  // Writes a decimal if the value is one: digits * 10^-places.
   Integer rest = boost::multiprecision::denominator(value);
   int twos = 0;
   int fives = 0;

@@ -7,10 +7,10 @@ namespace steadyslide::library {
 
 struct Utf8Character {
   char32_t code;
-  std::size_t length;  ///< in bytes; 0: the text begins with no character of UTF-8
+  std::size_t length;  ///< in bytes; 0 if the text does not begin with a UTF-8 character
 };
 
-/// The first character of a text that is not empty.
+/// Returns the first character. The text must not be empty.
 Utf8Character first_character(std::string_view text);
 
 }  // namespace steadyslide::library

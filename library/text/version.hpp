@@ -2,7 +2,7 @@
 
 namespace steadyslide::library {
 
-/// The project's version, as CMake has it.
+/// The project's version, from CMake.
 extern const char* const version;
 
 }  // namespace steadyslide::library

@@ -284,7 +284,7 @@ class Solution:
     Where functions of x have different limits on both sides, the larger one is told; at(x) has both.
     """
 
-    # Each resultant is a property, too; they are set below the class.
+    # Each resultant is also a property; they are set below the class.
     normal: Number
     friction_force: Number
     centre_of_pressure: Number
@@ -442,7 +442,7 @@ class Solution:
         return f"<steadyslide.Solution by {self.method}: {state}>"
 
     def __reduce__(self):
-        # The same solve gives the same solution.
+        # Solving again gives the same solution.
         return Solution, (self.problem, *self._options)
 
 

@@ -9,7 +9,7 @@ class Number(mpmath.mpf):
 
     def __new__(cls, digits, error):
         number = object.__new__(cls)
-        # All digits, whatever precision mpmath works in at the moment.
+        # All digits, for any current precision of mpmath.
         precision = 16 + int(3.33 * max(len(digits), 16))
         number._mpf_ = libmp.from_str(digits or "nan", precision, libmp.round_nearest)
         number.digits = digits

@@ -10,7 +10,7 @@ def plot(solution, ax=None):
         ax = plt.figure().add_subplot()
     angles = np.linspace(0, np.pi, 403)[1:-1]
     for left, right, _, _ in solution.contact:
-        # Denser towards the ends, where the traction may be singular.
+        # The points are denser towards the ends, where the traction may be singular.
         x = (float(left.x) + float(right.x)) / 2 - np.cos(angles) * (float(right.x) - float(left.x)) / 2
         ax.plot(x, -np.asarray(solution.traction(x), dtype=float), color="C0")
         ax.plot(x, np.asarray(solution.shear(x), dtype=float), color="C1")

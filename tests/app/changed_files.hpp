@@ -1,5 +1,5 @@
 #pragma once
-// Tables of files that differ from a good one by a few lines: bad_files.txt says how they are written.
+// Tables of files that differ from a good one by a few lines. bad_files.txt describes the format.
 
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -8,7 +8,7 @@
 
 namespace steadyslide::testing {
 
-/// The file of lines "~ [table] key = value".
+/// Returns the file of lines "~ [table] key = value".
 inline std::string file_of(const std::string& changes) {
   static const std::regex pattern(R"(~ (?:(\[\S+\]) ?)?([^=]*?)( = .*)?)");
   nlohmann::ordered_json tables;
@@ -25,7 +25,7 @@ inline std::string file_of(const std::string& changes) {
   return text;
 }
 
-/// As sections_of reads them, without the good files, each of which is that of the sections below it.
+/// Like sections_of, without the good files. A good file is the base of the sections below it.
 inline std::vector<std::pair<std::string, std::string>> changed_files(const std::string& table) {
   std::vector<std::pair<std::string, std::string>> files;
   std::string good;

@@ -69,7 +69,7 @@ documents = {what: answer(*wanted) for what, wanted in several.items()}
 for what, document in documents.items():
     fits(what, document)
 
-# Controls: each change of a document that fits is refused.
+# Controls: each of these changes makes a valid document invalid.
 document = documents["other direction"]
 changes = {
     "a key less": lambda d: d["resultants"].pop("friction_force"),

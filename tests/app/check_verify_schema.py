@@ -57,7 +57,7 @@ def faults(document):
     found = [fault for key, one in document.items() if key != "html" for fault in faults(one)]
     for key, text in document.get("html", {}).items():
         if key == "says":
-            continue  # its formulas stand in the line, as words do
+            continue  # formulas of this text stand in the line, as words do
         said, plain = Said(text), re.sub("`[^`]*`", "", document[key])
         if said.words != plain or bool(said.formulas) != ("`" in document[key]) or said.code:
             found.append(f"{key}: {document[key][:80]}: {said.words[:80]}")

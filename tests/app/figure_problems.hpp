@@ -1,5 +1,5 @@
 #pragma once
-// What `solve` says about the problem of a figure.
+// Answers of `solve` for the problem of a figure.
 
 #include <fmt/ranges.h>
 
@@ -27,7 +27,7 @@ inline std::string solve_answer(const GivenProblem& given, const Arguments& argu
   return output(given.toml(), arguments);
 }
 
-/// -t at these places, from left to right.
+/// Returns -t at these places, from left to right.
 inline std::vector<double> pressures(const GivenProblem& given, const std::vector<double>& places) {
   const auto rows =
       lines(solve_answer(given, {"--format", "csv", fmt::format("--at={:.17g}", fmt::join(places, ","))}));
@@ -38,14 +38,14 @@ inline std::vector<double> pressures(const GivenProblem& given, const std::vecto
   return found;
 }
 
-/// The number that follows a word in the text.
+/// Returns the number that follows a word in the text.
 inline double value_after(const std::string& text, const std::string& word) {
   const std::size_t at = text.find(word);
   REQUIRE(at != std::string::npos);
   return std::stod(text.substr(at + word.size()));
 }
 
-/// Some points of a curve are what `solve` says, in units `length` and `stress`; others are not.
+/// Checks that some points of a curve agree with `solve`, in units `length` and `stress`, and that changed ones do not.
 inline void check_curve(const app::Series& series, const GivenProblem& given, double length = 1, double stress = 1) {
   REQUIRE(series.points.size() > 50);
   std::vector<double> places, drawn;

@@ -1,5 +1,5 @@
 #pragma once
-// The program's answers in JSON.
+// The answers of the program in JSON.
 
 #include <nlohmann/json.hpp>
 
@@ -10,10 +10,10 @@ namespace steadyslide::testing {
 
 using Json = nlohmann::ordered_json;
 
-/// Of a run that succeeds without a word.
+/// Returns the JSON of a run. Checks that it succeeds, with nothing on the standard error.
 inline Json json_of(const Finished& finished) { return Json::parse(out_of(finished)); }
 
-/// `solve - ARGUMENTS --format json`
+/// Runs `solve - ARGUMENTS --format json`.
 inline Json solve(const std::string& problem, const Arguments& arguments = {}) {
   return json_of(run(problem, joined(arguments, {"--format", "json"})));
 }
@@ -28,15 +28,15 @@ inline std::string keys(const Json& object, const char* between = " ") {
   return result;
 }
 
-/// With its error beside it, {"value", "error"} or {"mid", "rad"}?
+/// True for a number with its error: {"value", "error"} or {"mid", "rad"}.
 inline bool is_number(const Json& json) { return json.is_object() && (json.contains("error") || json.contains("rad")); }
 
-/// Of a number with an error its value, else what is given.
+/// Returns the value of a number with an error; other JSON unchanged.
 inline const Json& value_of(const Json& json) { return is_number(json) ? json.front() : json; }
 inline Rational number(const Json& json) { return parse_rational(value_of(json).get<std::string>()); }
 inline Rational error_of(const Json& number) { return parse_rational(number.back().get<std::string>()); }
 
-/// Sums `visit(a, b)` over the numbers of `json` that have an error and those in their places in `other`.
+/// Sums `visit(a, b)` over the numbers of `json` that have an error and the numbers at the same places of `other`.
 template <class Visit>
 int sum_over_numbers(const Json& json, const Json& other, const Visit& visit) {
   if (is_number(json)) {
@@ -56,7 +56,7 @@ int sum_over_numbers(const Json& json, const Json& other, const Visit& visit) {
 }
 
 inline double real(const Json& json) { return std::stod(value_of(json).get<std::string>()); }
-/// Of one number, or of two limits.
+/// The number, or the limit from this side.
 inline double real_on(const Json& json, const char* side) { return real(json.contains(side) ? json.at(side) : json); }
 
 inline bool near(const Json& a, const Json& b, const char* tolerance) {

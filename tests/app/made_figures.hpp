@@ -5,7 +5,7 @@
 
 namespace steadyslide::testing {
 
-/// The figure of this name, made once for all tests.
+/// Returns the figure of this name. It is made once for all tests.
 inline const app::Figure& made(const std::string& name) {
   static std::map<std::string, app::Figure> figures;
   const auto maker = std::ranges::find(app::figures(), name, &app::FigureMaker::name);

@@ -45,7 +45,7 @@ pid_t start(const std::vector<std::string>& command, const fs::path& folder, int
   ::_exit(127);
 }
 
-/// Waits for the child: its exit code, or 128 + the number of the signal that ended it.
+/// Waits for the child. Returns its exit code, or 128 + the number of the signal that ended it.
 int wait_for(pid_t child) {
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
@@ -53,7 +53,7 @@ int wait_for(pid_t child) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-/// `meanwhile` is called with the process as soon as it runs.
+/// Calls `meanwhile` with the process as soon as it runs.
 template <class Act>
 Finished run(const std::vector<std::string>& command, const fs::path& folder, const std::string& input, Stdout where,
              const Act& meanwhile) {
@@ -69,14 +69,14 @@ Finished run(const std::vector<std::string>& command, const fs::path& folder, co
 }
 
 std::vector<std::string> program(const std::vector<std::string>& arguments) {
-  // Another program than the one built, where the environment names it: a mutant of it.
+  // The environment may name another executable to test: a mutant.
   const char* const other = std::getenv("STEADYSLIDE_EXECUTABLE");
   std::vector<std::string> command{other != nullptr ? other : STEADYSLIDE_EXECUTABLE};
   command.insert(command.end(), arguments.begin(), arguments.end());
   return command;
 }
 
-/// `watch` sees the child and all that the terminal has been sent so far.
+/// `watch` gets the child and all text that was sent to the terminal so far.
 template <class Watch>
 Finished run_watched(const std::vector<std::string>& arguments, const fs::path& folder, const std::string& input,
                      Watch watch) {
@@ -90,7 +90,7 @@ Finished run_watched(const std::vector<std::string>& arguments, const fs::path& 
   ::close(end);
   std::string shown;
   std::array<char, 4096> block;
-  // Ends with an error when the child has closed its end.
+  // read() fails when the child has closed its end.
   for (ssize_t n = 0; (n = ::read(terminal, block.data(), block.size())) > 0;) {
     shown.append(block.data(), static_cast<std::size_t>(n));
     watch(child, shown);

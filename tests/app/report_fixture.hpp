@@ -1,5 +1,5 @@
 #pragma once
-// A ledger that no calculation made, with every kind of evidence and verdict, for tests of the report.
+// A fabricated ledger with every kind of evidence and verdict, for tests of the report.
 
 #include "app/report/report_page.hpp"
 #include "proofs_checks/kit/proofs.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-// What tests ask of pictures and pages.
+// Checks of pictures and pages.
 
 #include <regex>
 
@@ -7,7 +7,7 @@
 
 namespace steadyslide::testing {
 
-/// Is every element closed, in order, with whole attributes, and nothing else left open? Are there no bare ampersands?
+/// Checks that every element is closed, in order, with complete attributes, and that there are no bare ampersands.
 inline bool is_well_formed(const std::string& xml) {
   std::vector<std::string> open;
   std::size_t at = 0;
@@ -45,7 +45,7 @@ inline bool is_well_formed(const std::string& xml) {
   return open.empty();
 }
 
-/// What a reader sees: the characters of each <text>, one after the other in a line.
+/// Returns the visible text: the characters of each <text>, each in a line.
 inline std::string shown_text(const std::string& svg) {
   std::string result;
   for (std::size_t at = 0; (at = svg.find("<text", at)) != std::string::npos;) {

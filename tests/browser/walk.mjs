@@ -1,12 +1,12 @@
-// Walks through pages in Chromium and says what is in the way:
+// Walks through pages in Chromium and reports their faults:
 //
 //   walk.mjs [--shots DIR] [--fits SELECTOR] [--pages N] PAGE...     PAGE a file or a URL
 //
-// Each page is opened 1300 and 390 px wide, in light and dark colours, and as it is printed, with everything unfolded. One line a
-// page with what was counted; a line for each fault: an error or a warning on the console, a request that fails or leaves the
-// machine, a page wider than the screen, an issue that axe-core calls serious or critical. Exit code 1 if there is a fault.
-// Before anything is unfolded --shots keeps pictures and the PDF, what --fits matches has to fit 1300 x 1600 px, and the page is
-// printed, on at most N pages.
+// Each page is opened 1300 and 390 px wide, in light and dark colours, and as it is printed, with everything unfolded.
+// Prints one line with counts for each page, and one line for each fault: an error or a warning on the console, a
+// request that fails or leaves the machine, a page wider than the screen, an issue that axe-core calls serious or
+// critical. Exit code 1 if there is a fault. Before anything is unfolded, --shots keeps pictures and the PDF. The
+// elements that --fits matches have to fit into 1300 x 1600 px, and the page has to print on at most N pages.
 
 import { mkdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -25,10 +25,11 @@ if (options.shots) mkdirSync(options.shots, { recursive: true });
 const isLocal = (url) => /^(file|data|blob|about|devtools):|^https?:\/\/(localhost|127\.0\.0\.1)[:/]/.test(url);
 
 /**
- * In the page: what axe-core finds. A report has 100 000 elements, half of them inside formulas, which have the colours of the
- * whole: they become text first. Colours, whose cost grows with all that is laid out, are examined in parts of 800 elements, each
- * element in one of them, while the other parts are out of the page; drawings are seen by the other rules alone, which see the
- * page as one and are asked once for each width.
+ * Runs in the page: returns the findings of axe-core. A report has 100 000 elements. Half of them are inside formulas;
+ * these have the colour of their formula, so formulas become text first. The cost of the rules on colours grows with
+ * everything that is laid out. Therefore these rules examine parts of 800 elements; each element is in one part, and
+ * the other parts are out of the page. Drawings are examined only by the other rules, which examine the page as a
+ * whole, once for each width.
  */
 async function violations(withoutColours) {
   document.querySelectorAll("math").forEach((math) => { math.textContent = math.textContent; });
@@ -56,7 +57,7 @@ async function violations(withoutColours) {
   return found;
 }
 
-/** Those that axe-core calls serious or critical, one line a rule with the first places. */
+/** Returns the issues that axe-core calls serious or critical: one line for each rule, with the first places. */
 async function issues(page, withoutColours) {
   await page.evaluate(axe);
   const rules = new Map();
@@ -68,7 +69,7 @@ async function issues(page, withoutColours) {
   return [...rules].map(([rule, places]) => `${rule}, ${places.length} times: ${places.slice(0, 3).join(" | ")}`);
 }
 
-/** What overflows a page: of the elements beyond its right edge the outermost. */
+/** Returns the outermost elements that reach beyond the right edge of the page. */
 const tooWide = () => {
   const edge = document.documentElement.clientWidth;
   if (document.documentElement.scrollWidth <= edge) return [];

@@ -22,7 +22,7 @@ import sys
 import tempfile
 from fractions import Fraction
 
-NOT_PROVED = 0.2  # of all problems, at most
+NOT_PROVED = 0.2  # largest fraction of problems without a proof
 
 
 class Draw:

@@ -156,8 +156,9 @@ LOADS, LIFTED_LOADS, CELLS = "parabola_rough_front.loads", "lifted_punch.loads",
 PARABOLA, STEP, SLOT, TILT, PUNCH, BUMPS, WEDGE = (
     "parabola_rough_front", "stepped_punch", "slotted_punch", "tilting_punch", "two_coatings_forward", "two_bumps", "wedge_on_jump")
 
-# In changes.json values of which one is another: what, of which certificate, where, and the value. (The frame's origin is that of
-# one with q: without q a frame may move; offsets belong to anchors, and the certificate says what it said.)
+# Each entry of changes.json changes one value: a name, the certificate, the path, and the new value. (The frame's
+# origin is that of one with q: without q a frame may move; offsets belong to anchors, and the certificate says what it
+# said.)
 CHANGES = [(what, name, change(path, value)) for what, name, path, value in json.loads(LISTED.read_text())] + [
     ("step the other way", STEP, change(["problem", "indenter", "pieces", 1, "profile", 0], lambda c: "-" + c)),
     ("anchor of a free end", PARABOLA, lambda c: free(c)[0].update(anchor=0)),
@@ -225,7 +226,7 @@ CHANGES = [(what, name, change(path, value)) for what, name, path, value in json
     ("an unknown key of a point", PARABOLA, lambda c: c["points"][0].update(proved=True)),
 ]
 
-# Changes that leave a certificate true: the gap of the first is 0.0028 at its narrowest place, here it is 3.7e-11.
+# Changes that leave a certificate true. The gap of the first one is 0.0028 at its narrowest place, here it is 3.7e-11.
 STILL_TRUE = [
     ("load under which a gap almost closes", "gap_that_narrows", change(["problem", "load"], "0.3027864235")),
 ]
@@ -279,7 +280,7 @@ def main():
         apply(changed)
         expect({0}, f"changed, and true: {what}", json.dumps(changed), "proved: the box contains a solution")
 
-    # Every key left out but those that may be, every value of another type.
+    # Leaves out every key that is not optional, and gives every value another type.
     original = json.loads(certificates[PARABOLA])
     for path in list(paths(original))[1:]:
         for kind, value in (("left out", None), ("another type", 7.5)):

@@ -13,8 +13,8 @@ namespace {
 using namespace steadyslide::checker;
 using Kind = Point::Contact;
 
-/// Two zones over a profile of three pieces, with a jump of friction and a free tilt: every kind of unknown. The place
-/// of the zones is no solution; the conditions and their derivative are there all the same.
+/// Two zones over a profile of three pieces, with a friction jump and a free tilt: every kind of unknown. These zones
+/// are not a solution; the conditions and their derivative exist nevertheless.
 struct Example {
   Problem problem = Problem::of_certificate(Reader::of_json(R"({
 "load": "1", "load_at": "1/10", "sliding": "+x", "gamma": "1/2", "compliance": "1",
@@ -78,7 +78,7 @@ TEST_CASE("the derivative of the conditions is that of their differences") {
         const Ball difference = (above[i] - below[i]) / Ball(2 * step);
         INFO("four free: ", four_free, ", i = ", i, ", k = ", k, ": ", difference.text(20), ", ", J[i][k].text(20));
         REQUIRE(difference.is_finite());
-        // The third derivative times step^2/6, and the integrals' errors over the step.
+        // The third derivative times step^2/6, plus the errors of the integrals over the step.
         CHECK((Ball(1e-8) - (difference - J[i][k]).size()).is_positive());
       }
     }
@@ -98,7 +98,7 @@ TEST_CASE("conditions at different precision enclose the same numbers") {
 }
 
 TEST_CASE("B_k on both sides of a wedge differ as the profile's slopes over Y") {
-  // u'/c = g_k + tilt - Y B_k is one function off the contact, whatever k is asked for.
+  // u'/c = g_k + tilt - Y B_k is one function off the contact: it is the same for every k.
   const Example example(true);
   const Contact contact(example.reduced, example.layout, example.v.log_offsets, 192);
   const TractionRepresentation form(contact, example.v, example.problem.loads, 80);
@@ -117,7 +117,7 @@ TEST_CASE("B_k on both sides of a wedge differ as the profile's slopes over Y") 
 }
 
 TEST_CASE("B_k and its derivative with few bits enclose what they are with many") {
-  // Few bits: what the rule errs by, and the nodes that regular_to leaves out, count.
+  // With few bits, the error of the rule and the nodes that regular_to leaves out have to be counted.
   const Example example(true);
   const Contact contact(example.reduced, example.layout, example.v.log_offsets, 260);
   const TractionRepresentation fine(contact, example.v, example.problem.loads, 100);
@@ -147,7 +147,7 @@ TEST_CASE("polynomials in place of B_k enclose it between and at the places that
   const Contact contact(example.reduced, example.layout, example.v.log_offsets, 260);
   const TractionRepresentation fine(contact, example.v, example.problem.loads, 100);
   const TractionRepresentation coarse(contact, example.v, example.problem.loads, 4);
-  // Of the sums with many bits, that of the polynomial shows; of an exact polynomial, that of the rules.
+  // With many bits, the error of the polynomial dominates; for an exact polynomial, that of the rules.
   for (const auto& [form, bits] : {std::pair(&fine, 1), {&fine, 4}, {&fine, 8}, {&fine, 60}, {&coarse, 60}}) {
     for (const std::size_t segment : {0, 4, 5, 8}) {
       for (const std::size_t k : {contact.slope_of(1), contact.slope_of(3), contact.slope_of(7)}) {
@@ -176,7 +176,7 @@ TEST_CASE("no polynomial in place of B_k where another piece is closer than an e
   const Example example(true);
   const Contact contact(example.reduced, example.layout, example.v.log_offsets, 192);
   const TractionRepresentation form(contact, example.v, example.problem.loads, 40);
-  // Segment 5 has the piece of segments 6 and 7 on its right.
+  // Segment 5 has on its right the piece of segments 6 and 7.
   const std::size_t k = contact.slope_of(1);
   const Ball length = contact.length(5);
   const auto found = [&](double to) {

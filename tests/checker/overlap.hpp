@@ -1,5 +1,5 @@
 #pragma once
-// Have two balls a number in common? False where one of them is not finite.
+// True if two balls have a number in common. False if one of them is not finite.
 
 #include "checker/ball.hpp"
 

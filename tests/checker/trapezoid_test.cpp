@@ -31,7 +31,7 @@ Trapezoid::Panel unit_panel(const Ball& a, const Ball& b) {
   return {Ball(1).rounded(precision), {{a, {Ball()}, {}}, {b, {}, {Ball()}}}, Ball(1), Ball(1), 0};
 }
 
-/// Sum of the rule for f, widened by its error.
+/// Sum of the rule for f, widened by its error bound.
 template <class F>
 Ball integral(const Trapezoid& rule, int more, const F& f) {
   Ball sum, absolute;
@@ -65,8 +65,8 @@ TEST_CASE("the rule encloses Euler's beta integral, with the width it promises")
 }
 
 TEST_CASE("the bound of the rule's error holds for an integrand that nearly reaches it") {
-  // cos(2 pi tau/h) is 1 at every node, and cosh(2 pi d/h) on the rim of the strip: the rule does not see it. With
-  // tau = log(x/(1 - x)), w = 2 pi/h:
+  // cos(2 pi tau/h) is 1 at every node, and cosh(2 pi d/h) on the rim of the strip: the nodes cannot distinguish it
+  // from 1. With tau = log(x/(1 - x)), w = 2 pi/h:
   //   int_0^1 x^a (1-x)^b (x + D)^c cos(w tau) dx = Re D^c B(a+1+iw, b+1-iw) 2F1(-c, a+1+iw; a+b+2; -1/D)
   const double a = -0.75, b = -0.5, beyond = 0.25;
   for (const double c : {0.0, 2.0, -2.0, -6.0}) {
@@ -111,7 +111,8 @@ TEST_CASE("the bound of the rule's error holds for an integrand that nearly reac
 }
 
 TEST_CASE("a point close to the panel needs no more nodes, and no wider ball") {
-  // int_0^1 x^(-1/2) (x + d)^(-1/2) dx = 2 asinh(1/sqrt(d)); over (1 + x/d): 2 sqrt(d) atan(1/sqrt(d)) with a pole at -d
+  // int_0^1 x^(-1/2) (x + d)^(-1/2) dx = 2 asinh(1/sqrt(d)). With a pole at -d instead,
+  // int_0^1 x^(-1/2)/(1 + x/d) dx = 2 sqrt(d) atan(1/sqrt(d)).
   for (const double d : {1.0, 1e-3, 1e-12, 1e-40}) {
     const Ball half = rounded(0.5);
     Trapezoid::Panel panel = unit_panel(-half, Ball());

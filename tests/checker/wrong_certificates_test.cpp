@@ -1,4 +1,4 @@
-// Certificates that are wrong, each of them one that a checker with a term less would prove.
+// Wrong certificates. A checker that leaves out one term would accept one of them.
 
 #include <doctest/doctest.h>
 
@@ -21,7 +21,7 @@ json certificate_of(const std::string& name) {
   return json::parse(file);
 }
 
-/// The reason why it is not proved; empty if it is.
+/// Returns the reason of the refusal; empty if the certificate is proved.
 std::string refusal(const json& document) {
   try {
     const Reader at = Reader::of_json(document.dump(), "test");
@@ -53,7 +53,7 @@ std::string dumped(const Ball& x) {
   return result;
 }
 
-/// 2^exponent around the midpoints of the free ends' offsets, 2^of_q around those of q.
+/// Widens by 2^exponent the offsets of the free ends, and by 2^of_q those of q, around their midpoints.
 void widen(json& document, int exponent, int of_q) {
   const auto around = [](const json& ball, int e) {
     return dumped(Ball::parse(ball, 4096).middle().widened(Ball(std::ldexp(1, e))));
@@ -72,7 +72,7 @@ TEST_CASE("control: certificates are proved as they are") {
 }
 
 TEST_CASE("a second bump beyond the last end of contact, in the one segment there is") {
-  // The support's end moves from 0 to 2, and the free end keeps its place.
+  // The end of the support moves from 0 to 2. The free end keeps its place.
   json c = certificate_of("quartic_left_bump");
   c["problem"]["indenter"]["pieces"][0]["to"] = "2";
   json& offset = c["points"][2]["log_offset"];
@@ -95,7 +95,7 @@ TEST_CASE("a bump of another piece that reaches through the surface within an in
 
 TEST_CASE("a bump of another piece, away from the contact's end, that reaches through the surface within an interval") {
   json c = certificate_of("two_bowls");
-  // 10 (x - 7/10)^2 + 1/10 where the surface lies above 0.11, and the same higher up
+  // 10 (x - 7/10)^2 + 1/10 where the surface lies above 0.11, and the same shifted upwards
   c["problem"]["indenter"]["pieces"][1]["profile"] = json::array({"5", "-14", "10"});
   refused_for(c, "gap");
   c["problem"]["indenter"]["pieces"][1]["profile"] = json::array({"5.1", "-14", "10"});
@@ -128,7 +128,8 @@ TEST_CASE("Krawczyk's image has the radius of the conditions") {
 }
 
 TEST_CASE("Krawczyk's image of conditions whose sizes are far apart") {
-  // x + 2^200 y = 0 and x + y = 0: pivots of unscaled rows lose the inverse's first entry, -2^-200, below 100 bits.
+  // x + 2^200 y = 0 and x + y = 0: without scaling of the rows, pivoting loses the inverse's first entry, -2^-200,
+  // below 100 bits.
   const Ball large = Ball(std::ldexp(1, 200)).rounded(100);
   const std::vector<Ball> V(2, Ball().widened(Ball(0.25)).rounded(100));
   const auto image = [&](const Ball& F) {
@@ -147,7 +148,7 @@ TEST_CASE("twelve zones, each seen by the others as a small difference of large 
   const Signs signs = signs_of(c);
   CHECK(signs.bits == 24);
   CHECK(signs.in_gaps < 200);
-  // The fourth piece, tilted: its zone pulls at an end.
+  // The fourth piece, tilted: the traction of its zone is tension at an end.
   json wrong = c;
   wrong["claims"]["unique_by_theorem_1"] = false;
   REQUIRE(wrong["problem"]["indenter"]["pieces"][3]["profile"] == json::array({"12.5", "5", "0.5"}));
@@ -166,10 +167,10 @@ TEST_CASE("a sum that is negative at one end of its range only is not negative")
 }
 
 TEST_CASE("an energy below the true one by less than the far nodes' Taylor polynomials are off") {
-  // One cell of sixteen, [j, j + 1], has all pressure. The profile is 10 up to j + 2, falls to 0 at y0 = j + 3 + 1/256 and rises
-  // beyond, so that the lowest gap is the one at y0: with c = P = 1 and a = 1/256
+  // One cell of sixteen, [j, j + 1], has all pressure. The profile is 10 up to j + 2, falls to 0 at y0 = j + 3 + 1/256
+  // and rises beyond. So the lowest gap is the one at y0: with c = P = 1 and a = 1/256
   // E = <H, p> - min H = 10 + 1/(2 pi) + ((3 + a) log(3 + a) - (2 + a) log(2 + a))/pi.
-  // From the cell that y0 lies in node j is a far one, at the distance 7/2: its polynomial is 1e-9/pi too low there.
+  // Seen from the cell that contains y0, node j is a far one, at the distance 7/2: its polynomial is 1e-9/pi too low.
   json c = json::parse(R"({"certificate": 1, "kind": "cells", "generator": "test 0.0.0",
     "problem": {"load": "1", "load_at": null, "sliding": "+x", "gamma": "0", "compliance": "1",
       "friction": {"values": ["0"], "jumps": []},
@@ -181,7 +182,7 @@ TEST_CASE("an energy below the true one by less than the far nodes' Taylor polyn
   const Ball far = Ball(3 + 1. / 256).rounded(200), near = Ball(2 + 1. / 256).rounded(200);
   const Ball energy = Ball(10) + Ball(0.5) / pi + (far * log(far) - near * log(near)) / pi;
   const auto claimed = [&](double more) {
-    // 2^-60 of it, as a fraction.
+    // As a fraction with the denominator 2^50.
     Ball scaled = (energy + Ball(more)) * Ball(std::ldexp(1, 50));
     fmpz_t n;
     fmpz_init(n);

@@ -1,5 +1,5 @@
-// make_wrong_lemmas DIR: for each decided statement the lemma of one of its wrong variants, with the cofactors that leave
-// a remainder, in a file of its own.
+// make_wrong_lemmas DIR: writes for each decided statement the lemma of one of its wrong variants, in a file of its
+// own. Its cofactors leave a remainder.
 
 #include <fstream>
 #include <string>
@@ -12,7 +12,7 @@ using namespace steadyslide::symbolic;
 
 namespace {
 
-/// The first of a wrong variant's lemmas that is wrong; turn by turn another variant. Empty for numbers.
+/// Returns the first false lemma of a wrong variant; `turn` chooses the variant. Empty for statements about numbers.
 std::vector<CoqLemma> wrong_lemma(const DecidedStatement& statement, std::size_t turn) {
   for (std::size_t k = 0; k < statement.controls.size(); ++k) {
     const ExactIdentity& control = statement.controls[(turn + k) % statement.controls.size()];

@@ -1,12 +1,12 @@
 #pragma once
-// The contact that the Riemann-Hilbert solver hands over to a proof.
+// The result of the Riemann-Hilbert solver, from which a proof starts.
 
 #include "enclosure/contact/contact_proof.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 
 namespace steadyslide::testing {
 
-/// None where the solver does not converge.
+/// Returns nothing if the solver does not converge.
 template <class R>
 std::optional<ApproximateContact> found_contact(const ContactProblem& problem) {
   const auto solution = numeric::riemann_hilbert<R>(problem).solution;

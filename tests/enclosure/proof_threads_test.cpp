@@ -1,5 +1,5 @@
-// What is proved by several threads is what one proves, to the last bit. That no memory is shared unguarded is for the
-// thread sanitizer to see (preset tsan).
+// Several threads prove exactly what one thread proves, to the last bit. The thread sanitizer checks for data races
+// (preset tsan).
 
 #include <atomic>
 #include <chrono>
@@ -51,7 +51,8 @@ TEST_CASE("so many threads at a time find the same, to the last bit") {
 }
 
 TEST_CASE("the numbers of a proof by several threads are those by one") {
-  // Two polynomials in contact; over a notch, whose gap is short, with many panels, which are seen by their moments.
+  // Two polynomials in contact; over a notch with a short gap there are many panels, and distant ones are replaced by
+  // their moments.
   for (const ContactProblem& problem : {reduced({0.1_r, 0.3_r}, {0.1_r}, roof(-0.05_r, 0.05_r, 0.5_r), 1),
                                         reduced({0.1_r, 0.2_r}, {0}, roof(0.2_r, -0.2_r), 3)}) {
     const auto contact = found_contact<double>(problem);

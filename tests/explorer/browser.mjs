@@ -1,4 +1,4 @@
-// Chromium without packages: its debugging protocol over two pipes.
+// Controls Chromium without npm packages: uses its debugging protocol over two pipes.
 
 import { spawn } from 'node:child_process';
 import { mkdtempSync, rmSync } from 'node:fs';
@@ -30,7 +30,7 @@ export class Browser {
   process;
   folder;
   session;
-  problems = [];  ///< what the console said of errors and warnings
+  problems = [];  ///< errors and warnings on the console
   #next = 1;
   #waiting = new Map();
 
@@ -66,14 +66,15 @@ export class Browser {
     return this.#send('Emulation.setDeviceMetricsOverride', { width, height, deviceScaleFactor: 1, mobile: width < 500 });
   }
 
-  /// The value of an expression in the page, or of what it promises.
+  /// Returns the value of an expression in the page; waits for it if it is a promise.
   async run(expression) {
     const { result, exceptionDetails } = await this.#send('Runtime.evaluate', { expression, awaitPromise: true, returnByValue: true });
     if (exceptionDetails) throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
     return result.value;
   }
 
-  /// Seconds of the processor that the page's main thread has used: a busy machine makes no difference.
+  /// Returns the processor time in seconds that the page's main thread has used. It does not depend on the load of the
+  /// machine.
   async processorTime() {
     const { metrics } = await this.#send('Performance.getMetrics');
     return metrics.find(metric => metric.name === 'TaskDuration').value;

@@ -1,4 +1,4 @@
-// What the page says beside what `steadyslide solve` says of the same problem file.
+// Compares the numbers of the page with those of `steadyslide solve` for the same problem file.
 
 import { execFileSync } from 'node:child_process';
 import { writeFileSync } from 'node:fs';
@@ -6,7 +6,7 @@ import { join } from 'node:path';
 
 export const tolerance = 1e-12;
 
-/// Random numbers in [0, 1[ that a seed gives again.
+/// Random numbers in [0, 1[ that depend only on the seed.
 export function random(seed) {
   return () => {
     seed = (seed + 0x6d2b79f5) | 0;
@@ -16,7 +16,7 @@ export function random(seed) {
   };
 }
 
-/// A state of the page as its address says it.
+/// A random state of the page, in the form of its address.
 export function randomState(next) {
   const hundredths = (from, to) => (from + Math.floor(next() * (to - from + 1))) / 100;
   const profile = ['punch', 'parabola', 'wedge', 'bumps'][Math.floor(next() * 4)];
@@ -28,7 +28,7 @@ export function randomState(next) {
   return Object.entries(state).map(([key, value]) => `${key}=${value}`).join('&');
 }
 
-/// What the command line answers; stresses at places of [x, z].
+/// Returns the answer of the command line, with stresses at places [x, z].
 export function answer(program, folder, file, samples, places) {
   const problem = join(folder, 'problem.toml'), points = join(folder, 'points.csv');
   writeFileSync(problem, file);
@@ -43,7 +43,7 @@ const asNumber = value => {
   return Number(text);
 };
 
-/// Lines that say what differs by more than the tolerance, in units of the size that stands beside it.
+/// Returns a line for each difference above the tolerance, in units of the size beside it.
 export function differences(page, command) {
   const found = [];
   const compare = (name, ours, theirs, size) => {
@@ -65,7 +65,7 @@ export function differences(page, command) {
     if (key === 'load_share') theirs.forEach((share, k) => compare(`load_share[${k}]`, ours[k], share, size));
     else if (key === 'largest_pressure' || key === 'core') {
       for (const part of Object.keys(theirs)) {
-        if (Number.isNaN(asNumber(theirs[part]))) continue; // infinite: no number comes out of the page
+        if (Number.isNaN(asNumber(theirs[part]))) continue; // infinite: the page shows no number
         compare(`${key}.${part}`, ours?.[part], theirs[part], part === 'value' ? size : length);
       }
     } else compare(key, ours, theirs, size);

@@ -1,4 +1,5 @@
-// node explorer_test.mjs explorer.html steadyslide [pictures]: the page in headless Chromium beside the command line.
+// node explorer_test.mjs explorer.html steadyslide [pictures]: compares the page in headless Chromium with the command
+// line.
 
 import assert from 'node:assert/strict';
 import { mkdtempSync, rmSync, statSync, writeFileSync } from 'node:fs';
@@ -13,7 +14,7 @@ const most = { bytes: 3 * 2 ** 20, 'closed-form': 16, 'riemann-hilbert': 50 };
 const folder = mkdtempSync(join(tmpdir(), 'explorer-test-'));
 const page = await Browser.open(html);
 
-/// The page in a state; stresses in the middles of 4 x 2 cells of [-1, 1] x [0, 1].
+/// Returns the page's numbers for a state, with stresses in the middles of 4 x 2 cells of [-1, 1] x [0, 1].
 async function shown(state) {
   await page.run(`explorerPage.set(${JSON.stringify(state)})`);
   return page.run(`(() => {
@@ -43,7 +44,7 @@ async function numbersAreTheProgrammes() {
     methods[page.solution.method] = (methods[page.solution.method] ?? 0) + 1;
     control ??= { page, command };
   }
-  // Controls: one number changed in the problem, one in its last digits.
+  // Controls: one number of the problem changed, and one result changed in its last digits.
   const other = answer(program, folder, control.page.file.replace(/load = ".*"/, 'load = "0.7654321"'), samples, places);
   assert.ok(differences(numeric(control.page), other).length > 5, 'another load went unnoticed');
   control.command.resultants.effective_friction = String(Number(control.command.resultants.effective_friction?.value ?? control.command.resultants.effective_friction) + 1e-11);
@@ -51,7 +52,8 @@ async function numbersAreTheProgrammes() {
   console.log(`${compared} states of ${drawn} with seed ${seed} agree to 1e-12:`, methods);
 }
 
-/// Jumps that move as if dragged: what an update costs the page's main thread, drawing included, and what the clock says.
+/// Moves jumps as if dragged. Measures the processor time of an update on the page's main thread, with drawing, and the
+/// elapsed time.
 async function updatesAreFast() {
   const ways = {
     'closed-form': k => `profile=punch&values=0.1,0.5,0.3&jumps=${(-0.5 + 0.002 * k).toFixed(3)},0.2&sliding=+x&load=0.3`,

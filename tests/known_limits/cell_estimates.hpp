@@ -7,12 +7,13 @@
 
 namespace steadyslide::testing {
 
-/// Problem number `seed` of random_contact.hpp on so many cells: friction, load shares, load of each zone where both see as
-/// many of them, centre of pressure, tilt. Problems that a method does not solve are left out.
+/// Solves problem number `seed` of random_contact.hpp on `cells` cells. Compares friction, load shares, the load of
+/// each zone if both methods have the same number of zones, centre of pressure, and tilt. Skips problems that one of
+/// the methods does not solve.
 void audit_cell_estimates(std::uint64_t seed, std::size_t cells, EstimateAudit& audit);
 
-/// Empty, or what is wrong: an estimate that is not honest, a median of more than thirty times the true error of friction or of
-/// load shares, or too few solutions to say so.
+/// Returns an empty text, or the fault: an estimate that is not honest; a median of more than thirty times the true
+/// error of friction or of load shares; too few solutions to judge.
 std::string cell_failure(const EstimateAudit& audit);
 
 }  // namespace steadyslide::testing

@@ -1,6 +1,6 @@
-// cell_estimates FIRST COUNT [CELLS]: random problems number FIRST and on, on 4096 cells or as many as said, beside the
-// Riemann-Hilbert method. Every estimate that does not cover the true error is a line, then a table. Exit code 1 if that is not
-// what estimates have to be.
+// cell_estimates FIRST COUNT [CELLS]: solves COUNT random problems from number FIRST on, on CELLS cells (default:
+// 4096), and compares them with the Riemann-Hilbert method. Prints a line for every estimate smaller than the true
+// error, then a table. Exit code 1 if the estimates have a fault (cell_failure).
 
 #include <cstdlib>
 #include <iostream>

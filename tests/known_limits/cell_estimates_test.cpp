@@ -1,4 +1,4 @@
-// Estimated errors of forces on cells are no less than the true ones.
+// Estimated errors of forces on cells are at least as large as the true ones.
 
 #include "known_limits/cell_estimates.hpp"
 
@@ -8,8 +8,9 @@
 TEST_CASE("the first forty, and those whose estimates have been too small") {
   EstimateAudit audit;
   for (std::uint64_t i = 0; i < 40; ++i) audit_cell_estimates(first_listed_seed + i, 4096, audit);
-  // 177, 373, 588: the last two meshes agree by chance, by up to 281 times the error. 106, 420, 516, 560: by less.
-  // 156, 1868: contact reaches across a jump by less than a cell. 758, 4032: two jumps within a cell, under strong friction.
+  // 177, 373, 588: the last two meshes agree by chance, and the error is up to 281 times larger than their difference.
+  // 106, 420, 516, 560: the same with smaller factors. 156, 1868: contact reaches across a jump by less than a cell.
+  // 758, 4032: two jumps within a cell, under strong friction.
   for (const std::uint64_t i : {106, 156, 177, 373, 420, 516, 560, 588, 758, 1868, 4032}) {
     audit_cell_estimates(first_listed_seed + i, 4096, audit);
   }

@@ -20,7 +20,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// One solution in double beside one with 50 digits.
+/// Compares one solution in double with one with 50 digits.
 class Comparison {
  public:
   Comparison(std::string name, bool detailed, const ContactProblem& problem, const ContactSolution<double>& found,
@@ -101,8 +101,8 @@ class Comparison {
     look("printed: resultants", "", {static_cast<double>(load_off), found_.estimated_error().resultants}, {});
   }
 
-  /// Between singular points and in gaps, from the middle to a millionth of the length from their ends, and beside the
-  /// contact; with many points one place between two, every kind of place in turn.
+  /// Compares between singular points and in gaps, from the middle to a millionth of the length from their ends, and
+  /// beside the contact. With many points it takes one place between two points, and each kind of place in turn.
   void compare_places() {
     std::vector<Rational> x;
     for (const auto& point : points_) x.push_back(Rational(point.x.value));
@@ -134,7 +134,7 @@ class Comparison {
     look("printed: traction", "", {printed, expected}, {});
   }
 
-  /// At a place of the data, where limits may differ.
+  /// Compares at a place of the data, where the two limits may differ.
   void compare_both_sides(const Rational& place) {
     const Sample<double> here = found_.at(place);
     const Sample<Real50> there = truth_.at(place);
@@ -152,7 +152,7 @@ class Comparison {
     look(kind, "on the right, " + where, value.right, truth.right);
   }
 
-  /// Each costs integrals with 50 digits.
+  /// Each comparison costs integrals with 50 digits.
   void compare_details(const Rational& place, const std::string& where) {
     const DetailedSample<double> here = found_.details_at(place);
     const DetailedSample<Real50> there = truth_.details_at(place);
@@ -163,7 +163,7 @@ class Comparison {
 
   static constexpr std::size_t many_points = 20;
   std::string name_;
-  bool detailed_;  ///< with what integrals of the traction say of places
+  bool detailed_;  ///< true: compares also the integrals of the traction (details_at)
   const ContactProblem& problem_;
   const ContactSolution<double>& found_;
   const ContactSolution<Real50>& truth_;
@@ -219,14 +219,14 @@ void compare_estimate(const std::string& kind, const Estimate<double>& value, co
                       EstimateAudit& audit, const std::string& what) {
   if (std::isinf(value.value) && Real50(value.value) == truth.value) return;
   const auto off = static_cast<double>(Real50(abs(Real50(value.value) - truth.value)));
-  if (off == 0 && value.error == 0) return;  // exact
+  if (off == 0 && value.error == 0) return;  // an exact number
   EstimatedNumbers& numbers = audit.numbers[kind];
   ++numbers.count;
   if (off > 0) {
     numbers.too_large.push_back(value.error / off);
     numbers.worst = std::max(numbers.worst, off / value.error);
   }
-  // What 50 digits do not know themselves is no truth, and counts as not honest.
+  // If 50 digits do not give the value either, the estimate counts as not honest.
   const bool known = truth.error <= Real50(1e-3 * value.error);
   if (off <= value.error && known) {
     ++numbers.honest;
@@ -260,7 +260,7 @@ void audit_solutions(const std::string& name, const ContactProblem& problem, boo
 }
 
 void audit_estimates(std::uint64_t seed, EstimateAudit& audit, ContactFamily family) {
-  // In the usual list every fourth problem has them: details cost more than all the rest.
+  // In the usual list every fourth problem has details: they cost more than all the rest.
   const bool detailed = seed % 4 == 0 || family != ContactFamily::usual;
   audit_solutions(std::to_string(seed), random_contact(seed, family), detailed, audit);
 }

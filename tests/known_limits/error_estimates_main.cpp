@@ -1,6 +1,6 @@
-// error_estimates [FAMILY] FIRST COUNT: random problems number FIRST and on, of the usual list or of a family of
-// support/random_contact.hpp, in double beside 50 digits. Every estimate that does not cover the true error is a line, then a
-// table. Exit code 1 if that is not what estimates have to be.
+// error_estimates [FAMILY] FIRST COUNT: compares COUNT random problems from number FIRST on in double with 50 digits.
+// They are from the usual list or from a family of support/random_contact.hpp. Prints a line for every estimate smaller
+// than the true error, then a table. Exit code 1 if the estimates have a fault.
 
 #include <cstdlib>
 #include <iostream>

@@ -1,4 +1,4 @@
-// Estimated errors of random problems are no smaller than the true ones, and not a thousand times as large.
+// Estimated errors of random problems are at least as large as the true ones, and not a thousand times as large.
 
 #include "known_limits/error_estimates.hpp"
 
@@ -8,12 +8,12 @@
 
 TEST_CASE("the first eight, and those whose estimates have been too small") {
   EstimateAudit audit;
-  // 5606: loads beside a break, integrated by a rule that does not know the traction's own error.
-  // 4360, 6829, 9274: loads, and 4428: gaps that a free end beside a short piece moves by more than they are large.
-  // 4921: components with edges alone, whose coefficients the gap between them decides.
-  // 36: displacements beyond an edge with a power near -1. 8: those in the contact of a profile of high degree.
-  // 48: slopes of the tangential displacement, whose integrals know nothing of the traction's error either.
-  // 520, 1708: tangential slopes at jumps where t vanishes, but its rounding error does not; the powers are 2e-4 and 0.18.
+  // 5606: loads beside a break; their rule does not know the traction's own error. 4360, 6829, 9274: loads, and 4428:
+  // gaps, which a free end beside a short piece changes by more than their size. 4921: components with only edges; the
+  // gap between them decides their coefficients. 36: displacements beyond an edge with a power near -1. 8:
+  // displacements in the contact of a profile of high degree. 48: slopes of the tangential displacement; their
+  // integrals do not know the traction's error either. 520, 1708: tangential slopes at jumps where t vanishes, but its
+  // rounding error does not; the powers are 2e-4 and 0.18.
   for (const std::uint64_t i : {0, 1, 2, 3, 4, 5, 6, 7, 5606, 4360, 6829, 9274, 4428, 4921, 36, 8, 48, 520, 1708}) {
     audit_estimates(first_listed_seed + i, audit);
   }
@@ -24,7 +24,7 @@ TEST_CASE("the first eight, and those whose estimates have been too small") {
 
 namespace {
 
-/// Contact on a short piece up to a gap beside the step at its end.
+/// Contact on a short piece, which ends at a gap beside the step.
 ContactProblem short_piece(const Rational& length) {
   const auto line = [](const Rational& slope, const Rational& height) { return Polynomial({height, slope}); };
   const Indenter indenter(
@@ -32,7 +32,7 @@ ContactProblem short_piece(const Rational& length) {
   return {Elasticity::reduced(Rational(2, 7)), FrictionProfile({0.3_r}), indenter, 1};
 }
 
-/// The same with a gap of 1e-18 beside friction 6: Newton's last steps are as long.
+/// The same with a gap of 1e-18 beside friction 6: Newton's last steps are as long as the gap.
 ContactProblem shortest_gap() {
   const FrictionProfile friction({0.58_r, 0, 6, 0.83_r, 3.9_r},
                                  {-1.8125_r, -1.499999875_r, -1.492187375_r, -1.34375_r});
@@ -57,12 +57,12 @@ TEST_CASE("intensities beside a step, over gaps much shorter than the contact") 
 TEST_CASE("two problems of each family") {
   EstimateAudit audit;
   for (const auto& [family, name] : contact_families) {
-    // Their 50 digits take a minute: error_estimates many-wedges FIRST COUNT.
+    // Their 50 digits take a minute. Run error_estimates many-wedges FIRST COUNT for them.
     if (family == ContactFamily::usual || family == ContactFamily::many_wedges) continue;
     for (const std::uint64_t i : {0, 1}) audit_estimates(first_listed_seed + i, audit, family);
   }
-  // 7: the shear beside a wedge, where the pressure is known to the last digit.
-  // 5168: slopes in the contact, at places that rounding shifts.
+  // 7: the shear beside a wedge, where all digits of the pressure are known. 5168: slopes in the contact, at places
+  // that rounding shifts.
   for (const std::uint64_t i : {7, 5168}) {
     audit_estimates(first_listed_seed + i, audit, ContactFamily::neighbouring_frictions);
   }

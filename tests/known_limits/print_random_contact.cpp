@@ -1,5 +1,5 @@
-// random_contact [FAMILY] SEED: a problem of the random list, or of a family of support/random_contact.hpp, as a problem
-// file.
+// random_contact [FAMILY] SEED: prints a problem of the random list, or of a family of support/random_contact.hpp, as a
+// problem file.
 
 #include <cstdlib>
 #include <iostream>

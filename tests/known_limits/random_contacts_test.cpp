@@ -1,5 +1,5 @@
-// How much the Riemann-Hilbert solver can do: a fixed list of random problems, in double. What it cannot do stands in
-// unsolved.txt, seed by seed.
+// Limits of the Riemann-Hilbert solver: a fixed list of random problems, in double. unsolved.txt lists the unsolved
+// ones by seed.
 
 #include "support/made_up_solution.hpp"
 #include "support/random_contact.hpp"
@@ -21,7 +21,7 @@ std::map<std::uint64_t, std::string> listed_unsolved() {
   return list;
 }
 
-/// Empty where all is as it should be, else what is not, in one line.
+/// Returns an empty text if all is correct, otherwise the fault in one line.
 std::string failure(const Attempt<double>& attempt) {
   if (!attempt.solution) return "no solution: " + attempt.reason;
   std::string text = attempt.solution->failed_condition();
@@ -67,7 +67,7 @@ bool has_decreasing_jump_inside(const ContactProblem& problem, const Contact& co
   return false;
 }
 
-/// What a solved problem may have; there are enough of each on the list.
+/// A feature of solved problems. The list has enough problems with each.
 struct Feature {
   const char* name;
   bool (*has)(const ContactProblem&, const Contact&);

@@ -1,6 +1,6 @@
-// The generator keeps its promises, and its problems survive being written to a problem file and read back. Whole
-// solves of them, from the file's text to the result's: nothing may throw, and every result is written. With the
-// sanitizers it is the many-sided run that they want.
+// The generator makes problems as promised, and writing a problem file and reading it back does not change a problem.
+// Whole solves from the file's text to the result's: nothing throws, and every result is written. The sanitizers use
+// this test because it covers much code.
 
 #include <array>
 
@@ -13,8 +13,8 @@
 
 namespace {
 
-/// Method, samples and format go by turns: a solution of every kind meets every writer. Closed forms rarely apply, so
-/// that reports of a method that does not apply are made as well.
+/// Method, samples and format take turns, so that every kind of solution meets every writer. Closed forms rarely apply,
+/// so reports of a method that does not apply occur as well.
 bool solve_and_write(std::uint64_t seed, app::Output& output) {
   constexpr std::array methods{app::Method::automatic, app::Method::riemann_hilbert, app::Method::variational,
                                app::Method::closed_form};
@@ -50,7 +50,7 @@ void solve_the_first(int count) {
 
 TEST_CASE("the first 48 problems") { solve_the_first(48); }
 
-// Slow: a minute or two, with sanitizers twenty times that.
+// Slow: one or two minutes, with sanitizers twenty times as long.
 TEST_CASE("slow: 3000 problems" * doctest::skip()) { solve_the_first(3000); }
 
 TEST_CASE("files say the same problem") {

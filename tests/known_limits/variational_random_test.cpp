@@ -1,5 +1,5 @@
-// How much the variational solver can do: the first problems of the random list, on cells. The certificate accepts, or
-// the problem stands in variational_unsolved.txt, seed by seed.
+// Limits of the variational solver: the first problems of the random list, on cells. The certificate accepts each
+// solution; exceptions are listed by seed in variational_unsolved.txt.
 
 #include "numeric/variational/nested_solve.hpp"
 #include "support/numeric_test.hpp"
@@ -24,7 +24,7 @@ bool decreases(const ContactProblem& problem) {
   return false;
 }
 
-/// Returns how often active sets cycled and Lemke's method went on.
+/// Returns how often the active-set method cycled and Lemke's method continued.
 int solve_the_first(int count, std::size_t cells, FrictionRule rule) {
   const std::set<std::uint64_t> unsolved = listed();
   int accepted = 0, by_lemke = 0, decreasing = 0;
@@ -41,7 +41,7 @@ int solve_the_first(int count, std::size_t cells, FrictionRule rule) {
     if (certificate.accepted() == (unsolved.count(seed) != 0)) FAIL_CHECK(seed);
     by_lemke += result.fine.by_lemke ? 1 : 0;
     decreasing += decreases(problem) ? 1 : 0;
-    // The contact set is the one that carries the pressures.
+    // The contact set consists of the cells with pressure.
     for (std::size_t k = 0; k < cells; ++k) {
       if (result.fine.found.state.pressure[k] > 0) REQUIRE(result.fine.found.contact[k]);
     }
@@ -54,7 +54,8 @@ int solve_the_first(int count, std::size_t cells, FrictionRule rule) {
 
 }  // namespace
 
-// Where strong friction rings on cells, active sets cycle: by means over all cells Lemke's method is called often.
+// Under strong friction solutions on cells oscillate, and the active-set method cycles. With means over all cells
+// Lemke's method is needed often.
 TEST_CASE("the first 300 on 256 cells") {
   CHECK(solve_the_first(300, 256, FrictionRule::galerkin) >= 6);
   CHECK(solve_the_first(300, 256, FrictionRule::damped) < 6);

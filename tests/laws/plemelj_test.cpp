@@ -34,7 +34,7 @@ TEST_CASE("Plemelj") {
       const Rational s = p.coupled_friction(data.first_piece + k);
       const Real50 size = y.modulus(k, node);
       RC_ASSERT(distance(above, times(coefficient(s), below)) <= 1e-48 * size);
-      // Control: the friction of the other sign is refuted wherever there is friction.
+      // Control: friction of the opposite sign is refuted, unless friction is 0.
       if (s != 0) RC_ASSERT(distance(above, times(coefficient(-s), below)) > 1e-6 * size);
       const Real50 height = y.panel(k).length * Real50("1e-25");
       RC_ASSERT(distance(above, y.at({node.x, height})) <= 1e-20 * size);

@@ -1,6 +1,5 @@
-// One table. Rows: what every solution obeys, and how the solution of a changed problem follows from it
-// (support/change_laws.hpp). Columns: the methods at their precisions, with the problems each is asked and how exactly
-// it has to answer.
+// One table. Rows: laws of every solution, and of the solution of a changed problem (support/change_laws.hpp). Columns:
+// the methods at their precisions, with the kind of problems and the tolerance for each.
 
 #include "known_limits/error_estimates.hpp"
 #include "model/uniqueness.hpp"
@@ -17,14 +16,14 @@ struct Method {
   std::string name;
   std::function<Attempt<R>(const ContactProblem&)> solve;
   rc::Gen<ContactProblem> problems;
-  R residual;  ///< of equation, load and gap
+  R residual;  ///< largest residual of equation, load and gap
   R tension;
   Tolerance<R> within;
-  std::size_t changes = change_laws().size();  ///< so many of these laws for one problem, from a random one on
-  bool local_points = true;                    ///< every singular point is found, and the friction at each place
+  std::size_t changes = change_laws().size();  ///< the number of laws tested for one problem, from a random one on
+  bool local_points = true;                    ///< true: every singular point is found, and the friction at each place
 };
 
-/// Of the list that solvers are measured by.
+/// A problem of the list by which solvers are measured.
 rc::Gen<ContactProblem> listed() {
   return rc::gen::exec([] { return random_contact(first_listed_seed + static_cast<std::uint64_t>(uniform(0, 399))); });
 }
@@ -87,7 +86,7 @@ bool shear_opposes_sliding(const Case<R>& c) {
   return true;
 }
 
-/// Contact grows with the load, where theorem 1 holds.
+/// Contact grows with the load if theorem 1 holds.
 template <Real R>
 bool grows_with_the_load(const Case<R>& c) {
   if (!uniqueness(c.problem).proved) return true;
@@ -115,7 +114,7 @@ const std::pair<const char*, bool (*)(const Case<R>&)> solution_laws[] = {
     {"under a heavier load the contact is larger", grows_with_the_load<R>},
 };
 
-/// A place in the contact where friction does not change and no two pieces meet.
+/// Returns a place in the contact at which friction does not change and no two pieces meet.
 template <Real R>
 Rational regular_place(const ContactProblem& problem, const ContactSolution<R>& solution) {
   const auto& jumps = problem.friction().jumps();
@@ -126,7 +125,7 @@ Rational regular_place(const ContactProblem& problem, const ContactSolution<R>& 
   throw std::logic_error("no regular place");
 }
 
-/// "law: what differs" for the first law that the method breaks on a problem, or nothing.
+/// Returns "law: difference" for the first law that the method breaks on a problem; otherwise an empty text.
 template <Real R>
 std::string broken_law(const Method<R>& method, const ContactProblem& problem, const ContactSolution<R>& solution) {
   const Case<R> unchanged{method, problem, solution};
@@ -150,7 +149,7 @@ std::string broken_law(const Method<R>& method, const ContactProblem& problem, c
   return "";
 }
 
-/// What is not solved at all is the business of tests/known_limits; here it may be one problem in twenty.
+/// Unsolved problems are the subject of tests/known_limits; here one problem in twenty may be unsolved.
 template <Real R>
 void obeys_the_laws(const Method<R>& method) {
   int all = 0, unsolved = 0;
@@ -168,14 +167,14 @@ void obeys_the_laws(const Method<R>& method) {
   CHECK(20 * unsolved <= all);
 }
 
-/// Next to a jump where the traction vanishes, rounding of the data alone leaves 1e-12 of the small values there:
-/// RC_PARAMS="reproduce=BYAZvVnYsVGXYLSUcUcJLzF2iEFHFXyychtIRxRxlsMXYLSUcUcJLDIgCAAEmAAAA4AAAMgAEUACCYwDJAAAKA"
-/// reached 1.2e-12. The grid that 1e-12 is asked of is in punch_accuracy_test.cpp.
+/// Next to a jump where the traction vanishes, rounding of the data alone changes small values by 1e-12:
+/// RC_PARAMS="reproduce=BYAZvVnYsVGXYLSUcUcJLzF2iEFHFXyychtIRxRxlsMXYLSUcUcJLDIgCAAEmAAAA4AAAMgAEUACCYwDJAAAKA" reached
+/// 1.2e-12. punch_accuracy_test.cpp has the grid with the tolerance 1e-12.
 Method<double> closed_form_in_double(const char* name, const rc::Gen<ContactProblem>& problems) {
   return {std::string("closed form in double, ") + name, closed_form<double>, problems, 1e-11, 0, {1e-11, 1e-9, 1e-9}};
 }
 
-/// Residuals at 50 digits are what costs here; those of flat punches are measured in punch_accuracy_test.cpp.
+/// Residuals at 50 digits are the main cost. punch_accuracy_test.cpp measures those of flat punches.
 Method<Real50> closed_form_in_50() {
   const Real50 relative("1e-44");
   const auto problems = rc::gen::oneOf(flat_punch(3), parabola(3));
@@ -184,13 +183,13 @@ Method<Real50> closed_form_in_50() {
 }
 
 Method<double> riemann_hilbert_in_double() {
-  // Two runs round differently, and free ends amplify it. Set before there was a solver to measure.
+  // Two runs round differently, and free ends amplify it. The tolerance was set before the solver existed.
   const auto solve = [](const ContactProblem& problem) { return riemann_hilbert<double>(problem); };
   return {"Riemann-Hilbert method in double", solve, listed(), 1e-10, 1e-10, {1e-10, 1e-8, 1e-9}};
 }
 
-/// The equation is that of the cells: its residual says nothing here. One polynomial: whether a break lies at a cell's
-/// end is a matter of rounding.
+/// The residual of the equation is not tested: the equation here is that of the cells. The profile is one polynomial,
+/// because rounding would decide if a break lies at the end of a cell.
 Method<double> variational_on_cells() {
   const auto solve = [](const ContactProblem& problem) { return variational_inequality(problem, {.cells = 256}); };
   const auto smooth =
@@ -199,7 +198,7 @@ Method<double> variational_on_cells() {
           change_laws().size(),          false};
 }
 
-/// The difference to the solution with more digits stays within the error that the solution itself expects.
+/// Checks that the difference from the solution with more digits is within the solution's estimated error.
 void errors_are_honest(const ContactProblem& problem) {
   EstimateAudit audit;
   audit_solution("closed form", problem, *closed_form<double>(problem).solution, *closed_form<Real50>(problem).solution,
@@ -208,7 +207,7 @@ void errors_are_honest(const ContactProblem& problem) {
   RC_ASSERT(audit.dishonest == std::vector<std::string>());
 }
 
-/// Ends and tractions in every panel.
+/// Compares ends, and tractions in every panel.
 template <Real R>
 void reproduces_the_closed_form(const ContactProblem& problem, const R& tolerance) {
   using std::abs;
@@ -230,7 +229,7 @@ void reproduces_the_closed_form(const ContactProblem& problem, const R& toleranc
       const R x = from + (points[k + 1].x.value - from) * part / 1009;
       const Rational place(static_cast<double>(x));
       const R t = expected.solution->at(place).traction.left.value;
-      // An end displaced by the tolerance moves the traction at the distance d from it by that over d.
+      // If an end moves by the tolerance, the traction at the distance d from it changes by the tolerance over d.
       const R distance = std::min(R(x - a[0].left.x.value), R(a[0].right.x.value - x));
       const R allowed = tolerance * abs(t) * (1 + length / distance);
       RC_ASSERT(abs(found.solution->at(place).traction.left.value - t) <= allowed);

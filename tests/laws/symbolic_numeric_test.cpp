@@ -1,4 +1,4 @@
-// The derived tractions, evaluated in CLN at 60 digits, against the closed forms of the numeric layer in MPFR.
+// Compares the derived tractions, evaluated in CLN at 60 digits, with the closed forms of the numeric layer in MPFR.
 
 #include "numeric/closed_form/closed_form.hpp"
 #include "support/numeric_test.hpp"
@@ -9,7 +9,7 @@ using steadyslide::symbolic::DerivedContact;
 
 namespace {
 
-/// 48 digits, relative.
+/// Agreement to 48 digits, relative.
 bool agree(const symbolic::Decimal& derived, const Real50& value) {
   const Real50 expected = to_real<Real50>(derived.value);
   return abs(value - expected) <= Real50("1e-48") * abs(expected);

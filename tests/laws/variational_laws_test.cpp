@@ -1,5 +1,5 @@
-// Laws of the unilateral problem on cells, beside the claims on random problems that the ledger examines (vi-...): here
-// smooth densities, all contact sets of a few cells, and loading paths.
+// Laws of the unilateral problem on cells that the ledger's claims on random problems (vi-...) do not cover: smooth
+// densities, all contact sets of a few cells, and loading paths.
 
 #include <Eigen/LU>
 
@@ -16,7 +16,8 @@ ContactProblem problem_of(int left, int right, const std::vector<Rational>& prof
   return reduced({Rational(left, 10), Rational(right, 10)}, {0}, one_piece(-1, 1, profile), load, load_at);
 }
 
-/// t.Bt on N equal cells, forces those of cos(n theta)/(pi sin(theta)), x = 2 xi = cos(theta), integrated exactly.
+/// Returns t.Bt on N equal cells. The forces are those of cos(n theta)/(pi sin(theta)), x = 2 xi = cos(theta),
+/// integrated exactly.
 double energy_of_chebyshev(std::size_t cells, int n, int left, int right) {
   const DiscreteProblem discrete = on_cells(problem_of(left, right, {}, 1), cells);
   const CellMesh& mesh = discrete.mesh();
@@ -29,10 +30,10 @@ double energy_of_chebyshev(std::size_t cells, int n, int left, int right) {
   return sum;
 }
 
-/// The punch of a contact set: does it press everywhere, and does nothing else penetrate?
+/// The punch of a contact set: its least pressure on the set, and the largest B x outside.
 struct Punch {
   double least_pressure;
-  double most_outside;  ///< B x off the set, where it is 1 on the set
+  double most_outside;  ///< largest B x outside of the set; it is 1 on the set
 };
 
 Punch punch_of(const GalerkinOperator& b, const CellSet& set) {
@@ -55,7 +56,7 @@ Punch punch_of(const GalerkinOperator& b, const CellSet& set) {
   return punch;
 }
 
-/// Of all sets.
+/// The worst over all sets.
 Punch worst_punch(const GalerkinOperator& b) {
   Punch worst{HUGE_VAL, -HUGE_VAL};
   for (const CellSet& set : all_sets(b.size())) {
@@ -71,7 +72,7 @@ std::ptrdiff_t solutions(const DiscreteProblem& problem) {
   });
 }
 
-/// How many cells lose contact, or pressure, from a load to the next one.
+/// Returns the number of cells that lose contact, or pressure, from a load to the next one.
 int losses(int left, int right, const std::vector<Rational>& profile, const std::vector<Rational>& loads,
            const std::optional<Rational>& load_at = std::nullopt) {
   constexpr std::size_t cells = 32;
@@ -107,7 +108,7 @@ TEST_CASE("Chebyshev's densities have the energy 1/(2 pi n), to the first power 
       const double fine = energy_of_chebyshev(32768, n, left, right) - expected;
       CHECK(std::abs(fine) < 1e-3 * expected);
       CHECK(std::log2(coarse / fine) == doctest::Approx(1).epsilon(0.05));
-      // Control: the jump with the other sign.
+      // Control: the jump with the opposite sign.
       if (jump != 0 && n % 2 == 1) CHECK(std::abs(fine + 2 * jump) > 0.02 * expected);
     }
   }

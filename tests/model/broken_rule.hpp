@@ -1,10 +1,10 @@
 #pragma once
-// What a constructor of the model says when it refuses its data.
+// The message with which a constructor of the model refuses its data.
 
 #include "model/invalid_data.hpp"
 #include "support/test.hpp"
 
-/// "field: message" of the InvalidData that `construct` throws, "accepted" if it throws none.
+/// Returns "field: message" of the InvalidData that `construct` throws, or "accepted" if it throws nothing.
 template <class F>
 std::string refusal(F&& construct) {
   try {

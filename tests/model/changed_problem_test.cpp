@@ -1,11 +1,11 @@
-// Problems made of others: what is changed, and that nothing else is.
+// Problems made from others: one datum changes, and nothing else.
 
 #include "broken_rule.hpp"
 #include "support/random_problem.hpp"
 
 namespace {
 
-/// Not among the places of a random problem.
+/// A place that is not among the places of a random problem.
 Rational random_place() { return Rational(uniform(-999, 999), 1000) + Rational(1, 3000); }
 
 Rational random_scale() { return Rational(*rc::gen::arbitrary<bool>() ? 1 : -1) * Rational(uniform(1, 20), 7); }
@@ -61,7 +61,7 @@ TEST_CASE("moves: identity, inverse, composition, and what stays at its place") 
       RC_ASSERT(image.friction().at(a * x + b, there) == problem.friction().at(x, side));
       RC_ASSERT(image.indenter().profile(a * x + b, there)(a * x + b) == problem.indenter().profile(x, side)(x));
     }
-    // The equation keeps s t, and turns the sign of the integral.
+    // The equation keeps s t. The integral changes its sign.
     for (std::size_t k = 0; k < problem.friction().values().size(); ++k) {
       const std::size_t there = a > 0 ? k : problem.friction().values().size() - 1 - k;
       RC_ASSERT(image.coupled_friction(there) == (a > 0 ? 1 : -1) * problem.coupled_friction(k));

@@ -41,7 +41,7 @@ TEST_CASE("an elastic indenter: exchange, identical bodies, compliances that add
       RC_ASSERT(Elasticity(one, one, plane).compliance() == 2 * Elasticity(one, plane).compliance());
       RC_ASSERT(there.plane() == plane);
       RC_ASSERT(there.indenter()->young() == two.young());
-      // Both bodies' stiffness times k: gamma stays, the compliance is divided by k.
+      // The stiffness of both bodies times k: gamma stays, the compliance is divided by k.
       const Elasticity stiffer(Solid(one.poisson(), 3 * one.young()), Solid(two.poisson(), 3 * two.young()), plane);
       RC_ASSERT(stiffer.gamma() == there.gamma());
       RC_ASSERT(3 * stiffer.compliance() == there.compliance());

@@ -6,8 +6,8 @@
 
 namespace {
 
-/// The sign of the exponent by summing its terms as they stand, at so many bits that a sum below 2^(-bits/2) can only
-/// be a zero: all nonzero sums of these tests are above.
+/// The sign of the exponent, by summing its terms with so many bits that a sum below 2^(-bits/2) can only be zero: all
+/// nonzero sums of these tests are larger.
 int sign_by_summation(const Exponent& exponent, mpfr_prec_t bits = 4096) {
   mpfr_t sum, term, pi;
   mpfr_inits2(bits, sum, term, pi, static_cast<mpfr_ptr>(nullptr));
@@ -26,7 +26,7 @@ int sign_by_summation(const Exponent& exponent, mpfr_prec_t bits = 4096) {
   return (sign > 0) - (sign < 0);
 }
 
-/// Small fractions, often equal or related, and now and then a very large or very small one.
+/// Small fractions, often equal or related, sometimes a very large or very small one.
 Rational random_slope() {
   const Rational slope(uniform(-12, 12), uniform(1, 8));
   const int kind = uniform(0, 9);
@@ -39,21 +39,22 @@ Exponent random_exponent(int most_terms) {
   return sum;
 }
 
-/// Of 200 terms.
+/// An exponent of 200 terms.
 Exponent long_exponent() {
   Exponent sum(Rational(uniform(-200, 199), 4));
   for (int k = 0; k < 200; ++k) sum += Exponent::angle(Rational(uniform(-2000, 2000), uniform(1, 999)));
   return sum;
 }
 
-/// arctan(a) + arctan(b) as one angle and a multiple of pi.
+/// Returns arctan(a) + arctan(b) as one angle and a multiple of pi.
 Exponent merged(const Rational& a, const Rational& b) {
   const Rational below = 1 - a * b;
   if (below == 0) return Exponent(a > 0 ? 0.5_r : -0.5_r);
   return Exponent::angle((a + b) / below) + Exponent(below > 0 ? 0 : a > 0 ? 1 : -1);
 }
 
-/// A sum of angles that is zero without looking it: arctan a_1 + ... + arctan a_n minus the same merged pair by pair.
+/// A sum of angles that is zero, although no two terms cancel: arctan a_1 + ... + arctan a_n minus the same merged pair
+/// by pair.
 Exponent hidden_zero(int terms) {
   Exponent sum;
   Rational merged_slope = uniform(-5, 5);
@@ -123,7 +124,7 @@ TEST_CASE("hidden zeros are found, and a zero moved by 1e-200 is none") {
     RC_ASSERT(above.reduced().slope == tiny);
     RC_ASSERT(sign_by_summation(zero) == 0);
     RC_ASSERT(sign_by_summation(above) == 1);
-    // One slope moved by its 1e-200th part.
+    // One slope is changed by the factor 1 + 1e-200.
     if (!zero.angles().empty()) {
       const Rational slope = zero.angles()[0].slope;
       const Exponent moved = zero - Exponent::angle(slope) + Exponent::angle(slope * (1 + tiny));
@@ -144,7 +145,7 @@ TEST_CASE("the reduced form is in its range, is the same number, and is unique")
     RC_ASSERT(again == e);
     RC_ASSERT(again.reduced() == reduced);
     if (!is_long) RC_ASSERT(sign_by_summation(again - e) == 0);
-    // Any two exponents: equal reduced forms if and only if the difference is 0.
+    // For any two exponents: the reduced forms are equal if and only if the difference is 0.
     const Exponent other = random_exponent(2);
     if (!is_long) RC_ASSERT((other.reduced() == reduced) == (sign_by_summation(other - e) == 0));
   }));

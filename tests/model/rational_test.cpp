@@ -33,7 +33,7 @@ TEST_CASE("what is no number is refused with its rule and the text") {
     CAPTURE(text);
     CHECK(why_not(text) == rule + "'" + text + "'");
   }
-  // What a terminal could be confused by is shown as '?', what is long is cut.
+  // Characters that could confuse a terminal are shown as '?'; long texts are cut.
   CHECK(why_not(std::string("1\0", 2)) == rule + "'1?'");
   CHECK(why_not("1\n2") == rule + "'1?2'");
   CHECK(why_not("\xe2\x88\x92"
@@ -84,7 +84,7 @@ TEST_CASE("what is written is read back") {
 TEST_CASE("no text crashes the reader, and what it accepts has a negative") {
   int accepted = 0;
   CHECK(rc::check([&] {
-    // Mostly digits: of texts where every character is as likely seed 16093947855052919028 had two that are numbers.
+    // Mostly digits. With all characters equally likely, seed 16093947855052919028 had only two texts that are numbers.
     const std::string digits = "0123456789";
     const std::string text =
         *rc::gen::container<std::string>(rc::gen::elementOf(digits + digits + digits + digits + ".eE+-/"));

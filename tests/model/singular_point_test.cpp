@@ -18,7 +18,7 @@ Lines text_of(const std::vector<SingularPoint>& points) {
   return lines;
 }
 
-/// gamma = 1/2 unless said otherwise: s = f/2.
+/// The points with gamma = 1/2 by default, so that s = f/2.
 Lines points(FrictionProfile friction, std::vector<Indenter::Piece> pieces, Sliding sliding = Sliding::plus_x,
              const Rational& gamma = 0.5_r) {
   return text_of(possible_singular_points(
@@ -32,7 +32,7 @@ const Lines left_end{"-1 edge right 1: -1/2 - arctan(1/2)/pi", "-1 free right 1:
 const Lines right_end{"1 edge left 1: -1/2 + arctan(1/2)/pi", "1 free left 1: 1/2 + arctan(1/2)/pi"};
 const Lines anywhere{"anywhere free right 1: 1/2 - arctan(1/2)/pi", "anywhere free left 1: 1/2 + arctan(1/2)/pi"};
 
-/// Friction 1 at both ends and everywhere, and `inside` between the ends.
+/// The points for friction 1 at both ends, with `inside` between the ends.
 Lines around(const Lines& inside) {
   Lines all;
   for (const Lines* part : {&left_end, &inside, &right_end, &anywhere})
@@ -40,7 +40,7 @@ Lines around(const Lines& inside) {
   return all;
 }
 
-/// What a point of the mirrored problem is in the problem.
+/// Returns the point of the problem that corresponds to a point of the mirrored problem.
 SingularPoint mirrored(SingularPoint point) {
   if (point.x) point.x = -*point.x;
   if (point.contact != ContactSide::both) {
@@ -59,10 +59,10 @@ bool same(const SingularPoint& a, const SingularPoint& b) {
 
 TEST_CASE("a flat punch: its edges and the free ends") {
   CHECK(points(FrictionProfile({1}), {{1, level}}) == around({}));
-  // A break where nothing breaks, and one where only the curvature does.
+  // Breaks without a singular point: one without any change, and one at which only the curvature changes.
   CHECK(points(FrictionProfile({1}), {{0, level}, {1, level}}) == around({}));
   CHECK(points(FrictionProfile({1}), {{0, level}, {1, Polynomial({0, 0, 1})}}) == around({}));
-  // A jump of height zero is singular nowhere.
+  // A jump of height zero is not singular.
   CHECK(points(FrictionProfile({1, 1}, {0}), {{1, level}}) == around({}));
 }
 
@@ -73,8 +73,8 @@ TEST_CASE("a wedge has a logarithm, on a jump of height zero too") {
 }
 
 TEST_CASE("a step ends the contact on its protruding side") {
-  // psi is measured away from the body: a step up (psi grows) leaves the left side protruding. With a wedge it is a
-  // step all the same.
+  // psi is measured away from the body: at a step up (psi grows) the left side protrudes. A step with a wedge is also a
+  // step.
   for (const auto& [right, step] : {std::pair(Polynomial({1}), "0 step left 1: -1/2 + arctan(1/2)/pi"),
                                     {Polynomial({-1}), "0 step right 1: -1/2 - arctan(1/2)/pi"},
                                     {Polynomial({1, 1}), "0 step left 1: -1/2 + arctan(1/2)/pi"}}) {
@@ -84,7 +84,7 @@ TEST_CASE("a step ends the contact on its protruding side") {
 
 TEST_CASE("jumps, wedges on jumps, and steps on jumps") {
   const FrictionProfile friction({1, 3, 1}, {0, 0.5_r});
-  // Before the jump down at 1/2 and the free ends under the friction between the jumps.
+  // Points before the jump down at 1/2, and the free ends under the friction between the jumps.
   const auto expected = [&](Lines before) {
     before.push_back("0.5 friction_jump both 3 1: arctan(3/2)/pi - arctan(1/2)/pi");
     Lines all = around(before);
@@ -98,7 +98,7 @@ TEST_CASE("jumps, wedges on jumps, and steps on jumps") {
   CHECK(points(friction, {{0, level}, {1, Polynomial({0, 1})}}) == expected({"0 wedge_and_jump" + up}));
   CHECK(points(friction, {{0.25_r, level}, {1, Polynomial({-0.25_r, 1})}}) ==
         expected({"0 friction_jump" + up, "0.25 wedge both 3 3: log"}));
-  // A step on a jump: the friction of the protruding side.
+  // A step on a jump: the friction is that of the protruding side.
   CHECK(points(friction, {{0, level}, {1, Polynomial({-1})}}) == expected({"0 step right 3: -1/2 - arctan(3/2)/pi"}));
   CHECK(points(friction, {{0, level}, {1, Polynomial({1})}}) == expected({"0 step left 1: -1/2 + arctan(1/2)/pi"}));
 }

@@ -29,7 +29,7 @@ TEST_CASE("uniqueness where s nowhere decreases [Bal16, theorems 1 and 8]") {
   CHECK(says(of(gamma, {1, 2, 1}), false, "s = gamma f decreases towards the front at x = 0.2"));
   CHECK(says(of(gamma, {1}, Sliding::plus_x, 0_r), false, "the indenter may tilt, which the theorem does not cover"));
   CHECK_FALSE(of(gamma, {2, 1}).proved);
-  // The other way, and the other sign, front and rear change places.
+  // For the other direction of sliding, and for the other sign of gamma, front and rear change places.
   CHECK(of(gamma, {2, 1}, Sliding::minus_x).proved);
   CHECK_FALSE(of(gamma, {1, 2}, Sliding::minus_x).proved);
   CHECK(of(-gamma, {2, 1}).proved);
@@ -58,7 +58,7 @@ TEST_CASE("uniqueness does not depend on the side from which one looks") {
     RC_ASSERT(uniqueness(problem.mirrored()).proved == here);
     RC_ASSERT(uniqueness(problem.mirrored().mirrored()).reason == uniqueness(problem).reason);
   }));
-  // About one in six is proved; seed 11383487649147155702 draws 9 of 100.
+  // About one problem in six is proved; seed 11383487649147155702 has 9 of 100.
   CHECK(proved > 2);
   CHECK(open > 10);
 }

@@ -32,7 +32,7 @@ TIME_LIMIT = 900
 @dataclass(frozen=True)
 class Change:
     mutant: Mutant
-    speaks: tuple  # patterns of the ids of claims that have to notice
+    speaks: tuple  # patterns of the ids of claims that have to notice the change
 
 
 def read_changes(path):

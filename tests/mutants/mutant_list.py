@@ -17,12 +17,12 @@ class BadList(Exception):
 @dataclass(frozen=True)
 class Mutant:
     id: str
-    file: str  # a source of the program, from the project's root
-    old: str  # occurs exactly once in it
+    file: str  # a source of the program, relative to the project's root
+    old: str  # a text that occurs exactly once in it
     new: str
-    change: str  # what is wrong, in words
-    killed_by: str  # an executable of bin/ and its arguments
-    sample: bool = False  # one of those that ./check runs
+    change: str  # the mistake in words
+    killed_by: str  # an executable of bin/ with its arguments
+    sample: bool = False  # one of the mutants that ./check runs
 
     def applied_to(self, text):
         return text.replace(self.old, self.new)

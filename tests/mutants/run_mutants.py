@@ -36,7 +36,7 @@ class Outcome:
     killed: bool
     seconds: float
     evidence: str
-    broken: bool = False  # nothing was learnt
+    broken: bool = False  # the run says nothing about the mutant
 
 
 def started(command, time_limit, program=None):
@@ -68,7 +68,7 @@ class Runner:
                 name, *arguments = shlex.split(killer)
                 start = time.monotonic()
                 code, output = started([self.tree.executable(name), *arguments], 10 * self.time_limit)
-                # A filter that matches no test case would pass for ever.
+                # A filter that matches no test case would always pass.
                 passes = code == 0 and "test cases: 0 |" not in " ".join(output.split())
                 needed = round(20 * (time.monotonic() - start))
                 self.limits[killer] = max(self.time_limit, needed) if passes else None

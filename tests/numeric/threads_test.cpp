@@ -1,5 +1,5 @@
-// Two threads that solve at the same time, each a problem of its own and both the same solution's answers. Values are
-// compared here; that no memory is shared unguarded is for the thread sanitizer to see (preset tsan).
+// Two threads solve at the same time: each its own problem, and both use the same solution. The values are compared
+// here; the thread sanitizer checks for data races (preset tsan).
 
 #include <thread>
 
@@ -31,7 +31,7 @@ struct Answer {
 
 }  // namespace
 
-// Nothing of the library has run before in this program: what is made at first use is made by two threads at once.
+// No code of the library has run before in this program: two threads make its static data at the same time.
 TEST_CASE_TEMPLATE("two threads at 50 and 100 digits get what one gets", R, Real50, Real100) {
   const Rational frictions[] = {0.2_r, 0.5_r};
   std::vector<std::optional<Answer<R>>> found(2);

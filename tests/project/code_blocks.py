@@ -36,7 +36,7 @@ class Runner:
         self.environment = os.environ | {
             "PATH": f"{programs / 'bin'}:{os.environ['PATH']}", "PYTHONPATH": str(programs / "python"),
             "PYTHONDONTWRITEBYTECODE": "1", "MPLBACKEND": "Agg", "LD_LIBRARY_PATH": str(programs / "library")}
-        self.pages = {}  # the Python blocks of each page, so far
+        self.pages = {}  # the Python blocks of each page so far
 
     def answer(self, *command, **options):
         done = subprocess.run(command, cwd=self.work, env=self.environment, capture_output=True, encoding="utf-8", **options)

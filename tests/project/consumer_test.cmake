@@ -22,20 +22,20 @@ if(KIND STREQUAL "installed")
   run("${CMAKE_COMMAND}" --install "${BINARY}" --prefix "${WORK}/prefix with a space")
   list(APPEND options "-DCMAKE_PREFIX_PATH=${WORK}/prefix with a space" "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Werror")
   if(SANITIZE)
-    # The installed archives are instrumented, and so are the templates that both sides instantiate.
+    # The installed archives are instrumented, and so must be the templates that both sides instantiate.
     list(APPEND options "-DCMAKE_CXX_FLAGS=-fsanitize=${SANITIZE}")
   endif()
   list(APPEND programs flat_punch facade)
 else()
-  # What is compiled here runs for a moment. Sources compiled together are the quickest; each by itself is what the
-  # sanitizers' build compiles.
+  # The programs compiled here run only for a moment. Compiling sources together is the quickest; the sanitizers' build
+  # compiles each by itself.
   list(APPEND options "-DSTEADYSLIDE_SOURCES=${SOURCE}" -DCMAKE_BUILD_TYPE=Debug -DSTEADYSLIDE_UNITY_BUILD=ON)
 endif()
 
 run("${CMAKE_COMMAND}" -S "${WORK}/consumer" -B "${WORK}/build" ${options})
 run("${CMAKE_COMMAND}" --build "${WORK}/build" --target ${programs})
 
-# Warnings are the consumer's choice: ours reach neither its files nor, in its build, our own.
+# Warnings are the consumer's choice: our options change neither its files nor, in its build, our own files.
 if(KIND STREQUAL "subdirectory")
   file(READ "${WORK}/build/compile_commands.json" commands)
   if(commands MATCHES " -W[a-z]+")
@@ -56,7 +56,7 @@ endforeach()
 if(KIND STREQUAL "installed")
   run("${WORK}/prefix with a space/bin/steadyslide" --version)
 
-  # Without CMake: what pkg-config says of the tree, wherever it is.
+  # Without CMake: pkg-config describes the tree at any place.
   file(GLOB_RECURSE pc "${WORK}/prefix with a space/*/steadyslide.pc")
   cmake_path(GET pc PARENT_PATH pc)
   file(WRITE "${WORK}/compile" "set -e

@@ -1,5 +1,5 @@
-# cmake -D SOURCE=<dir> -D CLANG_FORMAT=<program> [-D FIX=ON] -P format.cmake: our sources are laid out as .clang-format
-# says. clang-format 14; other versions disagree in places.
+# cmake -D SOURCE=<dir> -D CLANG_FORMAT=<program> [-D FIX=ON] -P format.cmake: checks that our sources have the layout
+# of .clang-format. Needs clang-format 14; other versions differ in places.
 
 cmake_minimum_required(VERSION 3.25)
 

@@ -1,14 +1,13 @@
-# cmake -D SOURCE=<dir> -P house_rules.cmake: where things stand (docs/architecture.md). A claim is found by its id, and
-# public headers do not lead into private ones. What a law on random inputs says is asked for. The double-only part takes no
-# more of std::ranges than the Explorer has.
+# cmake -D SOURCE=<dir> -P house_rules.cmake: checks the places of files (docs/architecture.md). A claim is found by its
+# id, and public headers do not include private ones. The result of a law on random inputs is checked. The double-only
+# part uses only the parts of std::ranges that the Explorer has.
 
 cmake_minimum_required(VERSION 3.25)
 
 set(wrong "")
 
-# proofs_checks/claims/<place>/thm_03_outside_slope.{cpp,md}: "# thm-03-outside-slope: " and "Claim claim() {" in a namespace
-# thm_03_outside_slope.
-# A text that makes a claim by itself says how.
+# proofs_checks/claims/<place>/thm_03_outside_slope.{cpp,md}: "# thm-03-outside-slope: " and "Claim claim() {" in a
+# namespace thm_03_outside_slope. A text that is a claim without a source says how it is decided.
 set(count 0)
 file(GLOB_RECURSE claims RELATIVE "${SOURCE}" "${SOURCE}/proofs_checks/claims/*")
 if(NOT claims)
@@ -44,7 +43,7 @@ foreach(file IN LISTS claims)
   endif()
 endforeach()
 
-# A public header that is not there ends the list with an error.
+# If a public header does not exist, the list ends with an error.
 include("${CMAKE_CURRENT_LIST_DIR}/../../cmake/PublicHeaders.cmake")
 steadyslide_public_headers("${SOURCE}" public)
 foreach(file IN LISTS public)
@@ -53,7 +52,7 @@ foreach(file IN LISTS public)
   endif()
 endforeach()
 
-# rc::check() returns whether the law holds; alone it fails no test.
+# rc::check() returns true if the law holds. It does not fail the test itself.
 file(GLOB_RECURSE tests RELATIVE "${SOURCE}" "${SOURCE}/tests/*_test.cpp")
 foreach(file IN LISTS tests)
   file(STRINGS "${SOURCE}/${file}" dropped REGEX "^ *rc::check\\(")
@@ -62,7 +61,7 @@ foreach(file IN LISTS tests)
   endif()
 endforeach()
 
-# The Explorer's compiler has a standard library without std::ranges.
+# The standard library of the Explorer's compiler has no std::ranges.
 file(GLOB_RECURSE double_only RELATIVE "${SOURCE}" "${SOURCE}/model/*.?pp" "${SOURCE}/numeric/*.?pp"
      "${SOURCE}/library/problem_file/*.?pp")
 foreach(file IN LISTS double_only)

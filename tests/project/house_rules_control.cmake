@@ -1,5 +1,5 @@
-# cmake -D WORK=<dir> -P house_rules_control.cmake: every broken rule is caught, one at a time, and a tree that keeps them
-# all is not.
+# cmake -D WORK=<dir> -P house_rules_control.cmake: breaks each rule, one at a time, and checks that it is caught. A
+# tree that keeps all rules passes.
 
 cmake_minimum_required(VERSION 3.25)
 

@@ -1,4 +1,4 @@
-# cmake -D SOURCE=<dir> -P include_arrows.cmake: who may include whom (docs/architecture.md).
+# cmake -D SOURCE=<dir> -P include_arrows.cmake: checks the allowed includes between layers (docs/architecture.md).
 #
 #   model  <-  symbolic | numeric | enclosure  <-  library | proofs_checks  <-  app
 #   checker, alone: it includes none of them, and none includes it
@@ -16,8 +16,8 @@ set(may_include_checker checker)
 set(may_include_explorer model numeric library)
 set(layers model symbolic numeric enclosure library proofs_checks app checker explorer)
 
-# ginac.h and CLN's headers cost a second a file and bring macros along: sources of these layers, and these headers only;
-# built_with.cpp takes their versions alone.
+# ginac.h and CLN's headers cost a second for each file and define macros. Only sources of these layers and these
+# headers include them; built_with.cpp uses only their versions.
 set(algebra_in_sources_of symbolic proofs_checks)
 set(algebra_headers app/report/built_with.cpp symbolic/cln/cln_number.hpp symbolic/coq/coq_equation.hpp symbolic/local/coupling.hpp symbolic/field/expression.hpp symbolic/field/field_linear.hpp
     symbolic/local/local_action.hpp symbolic/local/local_form.hpp symbolic/statements/local_form_check.hpp

@@ -1,4 +1,5 @@
-# cmake -D WORK=<dir> -P include_arrows_control.cmake: every wrong include is caught, one at a time, and a right one is not.
+# cmake -D WORK=<dir> -P include_arrows_control.cmake: makes each wrong include, one at a time, and checks that it is
+# caught. A correct include passes.
 
 cmake_minimum_required(VERSION 3.25)
 

@@ -35,7 +35,7 @@ def fields(rows):
     return "".join(f"    {key}: {PYTHON_TYPES[kind]}\n" for kind, key, _, _ in rows)
 
 
-# A file, the line before its part, the line behind it, and what the part says.
+# Each part: a file, the line before the part, the line behind it, and the part's text.
 PARTS = [
     ("docs/results.md", "largest pressure is finite | |\n", "| `samples[]`", markdown),
     ("docs/solve.schema.json", '    "resultants": {\n', '    },\n    "sample": {', schema),

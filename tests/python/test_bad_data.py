@@ -75,7 +75,7 @@ def test_files_as_the_command_line_refuses_them(tmp_path, monkeypatch):
     listed = pathlib.Path(__file__).parents[1] / "app" / "problem_file" / "bad_files.txt"
     (tmp_path / "trace.csv").write_text("-1,1/4\n0,0\n1,1/2\n")
     bad = tmp_path / "bad.toml"
-    monkeypatch.chdir(tmp_path)  # what is said of traces names them beside the problem file
+    monkeypatch.chdir(tmp_path)  # messages on traces name the path beside the problem file
     sections, good = listed.read_text(encoding="utf-8").split("\n=== ")[1:], ""
     for section in sections:
         message, _, text = section.rstrip("\n").partition("\n")
@@ -92,7 +92,7 @@ def test_files_as_the_command_line_refuses_them(tmp_path, monkeypatch):
 @pytest.mark.parametrize("name", ["/no/such/file", ".", "locked.toml"])
 def test_files_that_cannot_be_read_as_python_says_it(name, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    (tmp_path / "locked.toml").symlink_to("locked.toml")  # leads nowhere, for root, too
+    (tmp_path / "locked.toml").symlink_to("locked.toml")  # a link to itself: root cannot read it either
     with pytest.raises(OSError) as told:
         ss.Problem.from_toml(name)
     with pytest.raises(OSError) as expected:

@@ -12,7 +12,7 @@ import steadyslide as ss
 from steadyslide import _core
 
 KEYS = [key for _, key, _, _ in _core.quantities]
-# Rigid, flat and free to tilt: its answer has every quantity.
+# Rigid, flat and free to tilt: its answer has all quantities.
 TILTING_PUNCH = ss.Problem(load=1, load_at=0, poisson="0.3", friction=["0.1", "0.2"], jumps=[0], profile=0)
 
 

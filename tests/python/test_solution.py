@@ -125,7 +125,7 @@ def test_nodal_forces_sum_up_to_load_and_friction_and_keep_the_moment(order):
     assert forces.tangential.sum() == pytest.approx(solution.resultants.friction_force, rel=1e-13)
     assert nodes @ forces.normal == pytest.approx(solution.resultants.centre_of_pressure, rel=1e-12)
     assert np.all(forces.normal_error < 1e-12)
-    # One element's shape function against the traction, by another quadrature.
+    # The shape function of one element times the traction, by another quadrature.
     if order == 1:
         places, weights = np.polynomial.legendre.leggauss(40)
         x = (nodes[17] + nodes[18]) / 2 + (nodes[18] - nodes[17]) / 2 * places

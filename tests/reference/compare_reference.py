@@ -12,7 +12,7 @@ import tomllib
 from decimal import Decimal, getcontext
 
 getcontext().prec = 60
-# Of a number's size: computed numbers have 50 digits, and lose some where they are small.
+# Relative to a number's size. Computed numbers have 50 digits; small numbers lose some of them.
 TOLERANCE = Decimal("1e-40")
 source, program, work = pathlib.Path(sys.argv[1]), sys.argv[2], pathlib.Path(sys.argv[3])
 complaints = []
@@ -100,7 +100,8 @@ def check_laws(folder):
         require(len(inside) >= 36, f"{folder.name}: too few places")
         for x, found in inside:
             require(abs(found / traction(x) - 1) < 1e-13, f"{folder.name}: the traction at {x}")
-    # Under the surface the stresses become the tractions: those of the shallowest points against the forces' average.
+    # The stresses tend to the tractions at the surface: the shallowest points are compared with the average of the
+    # forces.
     for row in table(folder / "stress.csv"):
         sxx, szz, syy = (Decimal(row[name]) for name in ("sxx", "szz", "syy"))
         nu = Decimal(fraction(problem["half_space"]["poisson"]))
@@ -120,7 +121,7 @@ for folder in sorted(path.parent for path in source.glob("*/problem.toml")):
     check_laws(folder)
 require(count == 36, f"{count} tables instead of 36")
 
-# The control: the 30th digit of one number.
+# The control: the 30th digit of one number is changed.
 wrong = work / "wrong.csv"
 text = (source / "flat_punch" / "linear_forces.csv").read_text()
 place = text.index(",0.0") + 30

@@ -36,7 +36,7 @@ def check(folder):
     count, wrong = 0, []
     for sheet in folder.rglob("*.css"):
         for address in re.findall(r"url\(['\"]?([^)'\"]+)", sheet.read_text(encoding="utf-8")):
-            first = not address.endswith((".woff", ".ttf"))  # a browser takes the first of several fonts, a .woff2
+            first = not address.endswith((".woff", ".ttf"))  # a browser uses the first font of several, a .woff2
             if first and not address.startswith(("data:", "#")) and not (sheet.parent / address.split("?")[0]).is_file():
                 wrong.append(f"{sheet.relative_to(folder)}: leads nowhere: {address}")
     for path, page in pages.items():

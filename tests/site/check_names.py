@@ -43,7 +43,7 @@ def python_names():
             names |= {f"steadyslide.{name}.{member}" for member in vars(thing)
                       if not member.startswith("_") and (issubclass(thing, tuple) or callable(getattr(thing, member))
                                                          or isinstance(vars(thing)[member], property))}
-    # What the module imports, and names of types in its annotations, belong to other modules.
+    # Imported names, and types named in annotations, belong to other modules.
     own = {name for name in dir(steadyslide) if not name.startswith("_")
            and getattr(getattr(steadyslide, name), "__module__", None) == "steadyslide"}
     return names | {f"steadyslide.{name}" for name in own}

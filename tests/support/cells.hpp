@@ -1,5 +1,5 @@
 #pragma once
-// Problems on cells.
+// Problems on cells for tests.
 
 #include "numeric/variational/bordered_system.hpp"
 #include "support/problems.hpp"
@@ -13,10 +13,10 @@ inline DiscreteProblem on_cells(const ContactProblem& problem, std::size_t cells
   return {problem, CellMesh(problem, cells)};
 }
 
-/// Problem k of the list that solvers are measured by.
+/// Returns problem k of the list by which solvers are measured.
 inline ContactProblem listed_contact(std::uint64_t k) { return random_contact(first_listed_seed + k); }
 
-/// No pressure anywhere.
+/// The state without pressure.
 inline DiscreteState nothing(const DiscreteProblem& problem) { return {std::vector<double>(problem.size(), 0.0)}; }
 
 struct Forces {
@@ -33,7 +33,7 @@ inline Forces forces_of(const DiscreteProblem& problem, const DiscreteState& sta
   return sum;
 }
 
-/// All sets of cells but the empty one.
+/// Returns all nonempty sets of cells.
 inline std::vector<CellSet> all_sets(std::size_t cells) {
   std::vector<CellSet> sets;
   for (unsigned bits = 1; bits < 1U << cells; ++bits) {

@@ -1,6 +1,6 @@
 #pragma once
-// The laws that relate the solutions of two problems, each written once: a change of the problem, and what it makes of
-// the solution. For every method at every precision (tests/laws, tests/symbolic).
+// Laws that relate the solutions of two problems. Each is written once: a change of the problem, and its effect on the
+// solution. They are tested for every method at every precision (tests/laws, tests/symbolic).
 
 #include <functional>
 
@@ -24,21 +24,21 @@ struct Change {
   Change(ContactProblem p, Image i) : problem(std::move(p)), image(std::move(i)) {}
 };
 
-/// `k`: some factor. `regular` is a place in the contact where neither friction nor profile changes.
+/// `k` is a factor. `regular` is a place in the contact where neither friction nor profile changes.
 struct ChangeLaw {
   const char* name;
   std::function<Change(const ContactProblem&, const Rational& k, const Rational& regular)> change;
 };
 
-/// 1/3 to 3.
+/// A random factor from 1/3 to 3.
 inline Rational some_factor() { return *rational(1, 9, 5) / 3; }
 
-/// psi times `profile`, the load times `load`.
+/// The profile psi times `profile`, the load times `load`.
 inline ContactProblem scaled(const ContactProblem& p, const Rational& profile, const Rational& load) {
   return p.with_indenter(p.indenter().scaled(profile)).with_load(load * p.load());
 }
 
-/// psi + height.
+/// The profile psi + height.
 inline ContactProblem raised(const ContactProblem& p, const Rational& height) {
   std::vector<Indenter::Piece> pieces = p.indenter().pieces();
   for (Indenter::Piece& piece : pieces) piece.profile = piece.profile + Polynomial::constant(height);
@@ -49,7 +49,7 @@ inline ContactProblem with_elasticity(const ContactProblem& p, const Elasticity&
   return {elasticity, p.friction(), p.indenter(), p.load(), p.sliding(), p.load_at()};
 }
 
-/// A stiffer solid under a heavier load; not for reduced data or an elastic indenter.
+/// A stiffer solid under a larger load; not for reduced data or an elastic indenter.
 inline Change stiffened(const ContactProblem& p, const Rational& k) {
   const Elasticity& e = p.elasticity();
   if (!e.half_space() || e.indenter()) return Change(p, Image());
@@ -84,7 +84,7 @@ inline const std::vector<ChangeLaw>& change_laws() {
   return laws;
 }
 
-/// The near misses of these laws: each is refuted.
+/// Laws that are slightly wrong. Each is refuted.
 inline std::vector<ChangeLaw> wrong_laws() {
   using P = const ContactProblem&;
   using X = const Rational&;

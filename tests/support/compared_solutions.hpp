@@ -1,5 +1,5 @@
 #pragma once
-// Two solutions of a problem, or of a problem and its image, compared quantity by quantity.
+// Compares two solutions of a problem, or of a problem and its image, quantity by quantity.
 
 #include <tuple>
 
@@ -8,8 +8,8 @@
 
 namespace steadyslide::testing {
 
-/// Of ends in units of the contact's length, of intensities in their own, of tractions, slopes and gaps in their own
-/// and in `scale` times what the load makes on average.
+/// Tolerances: of ends in units of the contact's length; of intensities relative to their size; of tractions, slopes
+/// and gaps relative to their size plus `scale` times the average due to the load.
 template <numeric::Real R>
 struct Tolerance {
   R end;
@@ -23,7 +23,7 @@ R length_of(const std::vector<numeric::ContactComponent<R>>& contact) {
   return contact.back().right.x.value - contact.front().left.x.value;
 }
 
-/// In each component and towards its ends, and beside the contact.
+/// Places in each component and towards its ends, and beside the contact.
 template <numeric::Real R>
 std::vector<Rational> places(const std::vector<numeric::ContactComponent<R>>& contact) {
   std::vector<Rational> result;
@@ -37,7 +37,7 @@ std::vector<Rational> places(const std::vector<numeric::ContactComponent<R>>& co
   return result;
 }
 
-/// Is b within the distance of a? Infinities are equal or not.
+/// True if b is within the distance of a. Infinities have to be equal.
 template <numeric::Real R>
 bool is_close(const R& a, const R& b, const R& distance) {
   using std::abs;
@@ -45,7 +45,8 @@ bool is_close(const R& a, const R& b, const R& distance) {
   return a == b || (difference <= distance && difference < numeric::infinity<R>());
 }
 
-/// What of `after` is not the image of `before`, the solution of `problem`; or nothing.
+/// Returns the quantity in which `after` is not the image of `before`, the solution of `problem`; empty if there is
+/// none.
 template <numeric::Real R>
 std::string difference(const ContactProblem& problem, const numeric::ContactSolution<R>& before,
                        const numeric::ContactSolution<R>& after, const Image& image, const Tolerance<R>& within) {
@@ -86,7 +87,7 @@ std::string difference(const ContactProblem& problem, const numeric::ContactSolu
   for (const auto& [name, expected, found, distance] : totals) {
     if (!is_close<R>(expected, found, distance)) return name;
   }
-  // What the load makes on average, of the image.
+  // The average due to the load, for the image.
   const R mean = factor * ra.normal.value / length;
   const R bend = to_real<R>(problem.elasticity().compliance()) * ra.normal.value * height;
   const auto tilt_a = before.tilt();

@@ -1,6 +1,6 @@
 #pragma once
-// What the tests of enclosures start from: balls with exact points inside. The number of cases is RapidCheck's max_success,
-// which CMake sets: 10^3, and 10^5 in the slow test.
+// Common parts of the tests of enclosures: balls with exact points inside. The number of cases is RapidCheck's
+// max_success, which CMake sets: 10^3, and 10^5 in the slow test.
 
 #include "enclosure/number/ball.hpp"
 #include "support/test.hpp"
@@ -13,7 +13,7 @@ inline Rational two_to(int n) {
   return n < 0 ? Rational(1 / power) : power;
 }
 
-/// A ball and a number in it, exactly.
+/// A ball and an exact number in it.
 struct Sample {
   Ball ball;
   Rational point;
@@ -23,8 +23,8 @@ inline Ball midpoint_and_radius(const Rational& midpoint, const Rational& radius
   return Ball::around(Ball(midpoint, 4096), Ball(radius, 4096)).at(bits);
 }
 
-/// Between low and high (multiples of 1/1024), with a midpoint that has up to 30 bits more: exact, thin or wide, its point
-/// anywhere or at an end.
+/// A ball between low and high (multiples of 1/1024), with a midpoint that has up to 30 more bits: exact, thin or wide;
+/// its point lies anywhere inside or at an end.
 inline Sample sample(int low, int high, Bits bits) {
   const Rational fine = Rational(uniform(0, 1 << 15)) * two_to(-25);
   Rational midpoint = Rational(uniform(low * 1024, high * 1024 - 1)) / 1024 + fine;
@@ -36,10 +36,10 @@ inline Sample sample(int low, int high, Bits bits) {
   return {midpoint_and_radius(midpoint, radius, bits), point};
 }
 
-/// The number alone, at so many bits that its ball is no wider than a hair.
+/// The number with so many bits that its ball is very thin.
 inline Ball tight(const Rational& point, Bits bits) { return Ball(point, 3 * bits + 256); }
 
-/// 30 to 300.
+/// A random number of bits from 30 to 300.
 inline Bits some_bits() { return uniform(30, 300); }
 
 /// T_k(t).

@@ -4,7 +4,7 @@
 
 namespace steadyslide::testing {
 
-/// A solution of nothing but what it shows.
+/// A solution that has only the values set by the test.
 struct MadeUp : numeric::ContactSolution<double> {
   std::vector<numeric::ContactComponent<double>> shown_contact;
   numeric::EstimatedError<double> shown_error{};

@@ -1,1 +1,1 @@
-// Nothing: precompiled headers belong to a target, and a target needs a source.
+// Empty: precompiled headers belong to a target, and a target needs a source.

@@ -1,5 +1,5 @@
 #pragma once
-// A contact problem as a problem file, exact. For rigid indenters on a solid half-space.
+// Writes a contact problem as a problem file, exactly. For rigid indenters on a solid half-space.
 
 #include <string>
 

@@ -1,12 +1,12 @@
 #pragma once
-// Contact problems in reduced data, said shortly.
+// Short forms for contact problems in reduced data.
 
 #include "model/contact_problem.hpp"
 #include "support/test.hpp"
 
 namespace steadyslide::testing {
 
-/// c = 1, and s itself as data: gamma = 1/2 and f = 2 s.
+/// c = 1, and s itself is the datum: gamma = 1/2 and f = 2 s.
 inline ContactProblem reduced(std::vector<Rational> s, const std::vector<Rational>& jumps, const Indenter& indenter,
                               const Rational& load, const std::optional<Rational>& load_at = std::nullopt,
                               Sliding sliding = Sliding::plus_x) {

@@ -9,13 +9,13 @@ namespace steadyslide::testing {
 
 namespace {
 
-/// splitmix64. The standard's distributions differ between libraries, and so does the order in which a compiler draws
-/// the arguments of a call: every draw has its own statement or stands in a braced list.
+/// splitmix64. The standard's distributions differ between libraries, and the order in which compilers evaluate
+/// arguments differs. Therefore every draw has its own statement or stands in a braced list.
 class Dice {
  public:
   explicit Dice(std::uint64_t seed) : state_(seed) {}
 
-  /// Both included.
+  /// Both ends are included.
   int whole(int low, int high) {
     state_ += 0x9e3779b97f4a7c15U;
     std::uint64_t z = state_;
@@ -31,7 +31,7 @@ class Dice {
     return choices[static_cast<std::size_t>(whole(0, static_cast<int>(choices.size()) - 1))];
   }
   Rational one_of_these(std::initializer_list<Rational> choices) { return one_of(std::vector<Rational>(choices)); }
-  /// 10^(k/10) to two digits, low <= k <= high.
+  /// Returns 10^(k/10) to two digits, low <= k <= high.
   Rational decades(int low, int high) {
     static constexpr int mantissa[] = {10, 13, 16, 20, 25, 32, 40, 50, 63, 79};
     const int k = whole(low, high) + 100;
@@ -45,25 +45,25 @@ class Dice {
   std::uint64_t state_;
 };
 
-/// Where contact is expected, roughly.
+/// The approximate place of a contact.
 struct Spot {
   Rational centre;
   Rational radius;
 };
 
-/// psi in units of its own height on [-1, 1], with the load in units of height/c.
+/// psi in units of its own height on [-1, 1]; the load in units of height/c.
 struct Shape {
   std::vector<Indenter::Piece> pieces;
   std::vector<Spot> spots;
   Rational load;
-  std::optional<Rational> load_at = std::nullopt;  ///< where the load could act if the indenter tilts
+  std::optional<Rational> load_at = std::nullopt;  ///< a place for the load if the indenter tilts
 };
 
 Polynomial around(const Rational& centre, const std::vector<Rational>& coefficients) {
   return Polynomial(coefficients).composed(1, -centre);
 }
 
-/// The power of two below 1 up to which slope |y| + curve y^2 is pressed in by a load: 2 slope a + pi curve a^2.
+/// The power of two below 1 up to which a load presses in the profile slope |y| + curve y^2: 2 slope a + pi curve a^2.
 Rational reach(const Rational& load, const Rational& slope, const Rational& curve) {
   const auto needed = [&](const Rational& a) { return 2 * slope * a + Rational(22, 7) * curve * a * a; };
   Rational a = 1;
@@ -71,8 +71,8 @@ Rational reach(const Rational& load, const Rational& slope, const Rational& curv
   return a;
 }
 
-/// Side by side, equally wide; over its width a flank rises by 1, tip |u| + (..) u^2 + quartic u^4, where `tipped`
-/// bumps have a wedge at the tip. One bump alone has flanks of different heights, joined smoothly if it has no wedge.
+/// Bumps side by side, equally wide. Over its width a flank rises by 1, tip |u| + (..) u^2 + quartic u^4; `tipped`
+/// bumps have a wedge at the tip. A single bump has flanks of different heights, joined smoothly if it has no wedge.
 Shape bumps(Dice& dice, int count, int tipped) {
   const Rational width(1, count);
   const Rational share =
@@ -101,13 +101,13 @@ Shape bumps(Dice& dice, int count, int tipped) {
   return shape;
 }
 
-/// Six to twenty.
+/// Six to twenty wedges.
 Shape wedges(Dice& dice) {
   const int count = dice.whole(6, 20);
   return bumps(dice, count, dice.whole(count / 2, count));
 }
 
-/// Wells at +-a, and at 0 with degree six; between them psi = 1.
+/// Wells at +-a, and also at 0 for degree six; between them psi = 1.
 Shape wells(Dice& dice) {
   const bool three = dice.chance(40);
   const Rational a = three ? dice.one_of_these({Rational(3, 4), Rational(4, 5)}) : dice.part(3, 6, 8);
@@ -139,7 +139,8 @@ Shape punch(Dice& dice) {
       {{left, rounded(left, -1)}, {right, incline}, {1, rounded(right, 1)}}, {{0, 1}}, dice.decades(-20, 20), place};
 }
 
-/// Convex, from straight or bent sides; pressed in so far that the contact leaves its lowest corners behind.
+/// A convex polygon with straight or bent sides. It is pressed in so far that the lowest corners lie inside the
+/// contact.
 Shape polygon(Dice& dice) {
   const int sides = dice.whole(2, 5);
   std::set<Rational> corners;
@@ -192,8 +193,8 @@ Shape any_polynomial(Dice& dice) {
 /// 10^(k/10) to two digits, k at random: a small length or height.
 Rational small(Dice& dice, int lowest, int highest) { return dice.decades(10 * lowest, 10 * highest); }
 
-/// A parabola with a step of 1e-4 to 1e-12 of its height; a narrow slot in a flat bottom; or two flanks with a short piece
-/// between them, 1e-4 to 1e-10 long, that rises or falls, and a step down to what lies beyond it.
+/// A parabola with a step of 1e-4 to 1e-12 of its height; or a narrow slot in a flat bottom; or two flanks with a short
+/// piece between them, 1e-4 to 1e-10 long, that rises or falls, and a step down behind it.
 Shape short_gap(Dice& dice) {
   const Rational length = small(dice, -10, -4);
   const Rational curve = dice.chance(30) ? dice.part(1, 4, 4) : Rational(0);
@@ -226,7 +227,7 @@ Shape short_gap(Dice& dice) {
           load};
 }
 
-/// x^4.
+/// The profile x^4.
 Shape flat_bottom(Dice& dice) {
   const Rational load = dice.decades(-30, 4);
   Rational reach = 1;
@@ -234,7 +235,8 @@ Shape flat_bottom(Dice& dice) {
   return {{{1, Polynomial({0, 0, 0, 0, 1})}}, {{0, reach}}, load, reach * dice.part(-2, 2, 16)};
 }
 
-/// A wedge and a notch beside it: contact ends somewhat before it, in it or beyond it, or leaves a gap that is almost closed.
+/// A wedge and a notch beside it: contact ends before the notch, in it or beyond it, or leaves an almost closed gap
+/// over it.
 Shape notch(Dice& dice) {
   const Rational place = dice.chance(60) ? dice.part(1, 6, 8) : small(dice, -6, -1);
   const Rational left = dice.part(1, 8, 8), right = dice.part(1, 8, 8);
@@ -253,7 +255,7 @@ Shape any_shape(Dice& dice) {
   if (kind <= 44) return bumps(dice, dice.whole(2, 4), 0);
   if (kind <= 57) {
     const int count = dice.whole(2, 3);
-    return bumps(dice, count, dice.whole(1, 2));  // five pieces at most
+    return bumps(dice, count, dice.whole(1, 2));  // at most five pieces
   }
   if (kind <= 70) return wells(dice);
   if (kind <= 80) return punch(dice);
@@ -280,7 +282,7 @@ Elasticity limiting_elasticity(Dice& dice) {
   return Elasticity(Solid(nu, 1), dice.chance(75) ? Plane::strain : Plane::stress);
 }
 
-/// One in five is zero, half of them are up to 1, the others up to 20.
+/// One in five is zero, half are up to 1, the others up to 20.
 Rational any_friction(Dice& dice) {
   const int kind = dice.whole(1, 20);
   return kind <= 4    ? Rational(0)
@@ -289,7 +291,7 @@ Rational any_friction(Dice& dice) {
                       : Rational(dice.whole(2, 20));
 }
 
-/// On each side of every jump nearly the same, up to 1e-4 or as little as 1e-16.
+/// The values on the two sides of every jump are nearly the same: they differ by 1e-4 to 1e-16.
 std::vector<Rational> neighbouring_values(Dice& dice, std::size_t count) {
   std::vector<Rational> values{any_friction(dice)};
   while (values.size() < count) {
@@ -300,7 +302,7 @@ std::vector<Rational> neighbouring_values(Dice& dice, std::size_t count) {
   return values;
 }
 
-/// Where friction changes on [-1, 1].
+/// Places on [-1, 1] at which friction changes.
 std::vector<Rational> any_jumps(Dice& dice, const Shape& shape) {
   const int count = dice.one_of(std::vector<int>{1, 1, 1, 1, 2, 2, 2, 3, 3, 4, 5, 6});
   std::set<Rational> jumps;
@@ -317,7 +319,7 @@ std::vector<Rational> any_jumps(Dice& dice, const Shape& shape) {
   return {jumps.begin(), jumps.end()};
 }
 
-/// Half of the wedges at least, and what any problem has.
+/// At least half of the wedges, and the jumps of any problem.
 std::vector<Rational> jumps_on_wedges(Dice& dice, const Shape& shape) {
   std::set<Rational> jumps;
   for (const Spot& spot : shape.spots) {
@@ -327,7 +329,7 @@ std::vector<Rational> jumps_on_wedges(Dice& dice, const Shape& shape) {
   return {jumps.begin(), jumps.end()};
 }
 
-/// To three digits.
+/// Rounds to three digits.
 Rational rounded(const Rational& value) {
   Rational unit = 1;
   while (value / unit < 100) unit /= 10;

@@ -1,6 +1,6 @@
 #pragma once
-// Random exact problems for the laws, shrinking towards simple ones; and such with small data, in which coincidences
-// are frequent.
+// Random exact problems for the laws. They shrink towards simple ones. Some have small data, so that coincidences are
+// frequent.
 
 #include "model/contact_problem.hpp"
 #include "support/test.hpp"
@@ -23,7 +23,7 @@ inline rc::Gen<Elasticity> elasticity() {
       rc::gen::apply([](const Rational& nu, const Rational& young,
                         bool strain) { return Elasticity(Solid(nu, young), strain ? Plane::strain : Plane::stress); },
                      poisson, rational(1, 9, 4), rc::gen::arbitrary<bool>()),
-      // Coupling of either sign, as an elastic indenter can make it.
+      // The coupling has either sign, as with an elastic indenter.
       rc::gen::exec([] { return Elasticity::reduced(Rational(uniform(-90, 90), 100)); }));
 }
 
@@ -58,8 +58,8 @@ inline rc::Gen<ContactProblem> flat_punch(int max_jumps) {
   });
 }
 
-/// A parabola A x^2 + B x + C on a support so wide that its contact ends freely. The jumps lie anywhere: inside,
-/// outside.
+/// A parabola A x^2 + B x + C on a support so wide that both ends of its contact are free. The jumps lie inside or
+/// outside of the contact.
 inline rc::Gen<ContactProblem> parabola(int max_jumps) {
   return rc::gen::exec([max_jumps] {
     const SurfaceData s = *surface(max_jumps);
@@ -69,7 +69,7 @@ inline rc::Gen<ContactProblem> parabola(int max_jumps) {
   });
 }
 
-/// Any profile, with small data: jumps on wedges, jumps of height zero, equal friction values, gamma = 0.
+/// Any profile with small data: jumps on wedges, jumps of height zero, equal friction values, gamma = 0.
 inline rc::Gen<ContactProblem> coincidences() {
   return rc::gen::exec([] {
     const auto whole = [](int low, int high) { return Rational(uniform(low, high)); };

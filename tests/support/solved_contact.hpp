@@ -1,5 +1,5 @@
 #pragma once
-// Contact problems in reduced data, solved, with all that every solution promises checked.
+// Solves contact problems in reduced data, and checks the properties of every solution.
 
 #include "numeric/cauchy/residuals.hpp"
 #include "numeric/cauchy/traction_density.hpp"
@@ -10,14 +10,14 @@
 
 namespace steadyslide::testing {
 
-/// How far residuals may be from zero.
+/// The largest residuals that are allowed.
 template <numeric::Real R>
 R residual_tolerance() {
   if constexpr (std::same_as<R, double>) return 1e-11;
   return std::same_as<R, numeric::Real50> ? R(1e-45) : R(1e-100);
 }
 
-/// "equation 1e-05; load 0.1": the residuals above a tolerance. One that is no number is above all.
+/// Returns "equation 1e-05; load 0.1": the residuals above a tolerance. NaN counts as above.
 template <numeric::Real R>
 std::string large_residuals(const numeric::ContactSolution<R>& solution, const R& tolerance) {
   const numeric::Residuals<R> r = solution.residuals();
@@ -29,7 +29,7 @@ std::string large_residuals(const numeric::ContactSolution<R>& solution, const R
   return text.str();
 }
 
-/// What a solution does not keep of its promises, or nothing.
+/// Returns the property that a solution does not have; empty if it has all.
 template <numeric::Real R>
 std::string fault(const numeric::ContactSolution<R>& solution) {
   const std::string failed_condition = solution.failed_condition();
@@ -47,7 +47,7 @@ Solved<R> solved(const ContactProblem& problem, const numeric::ContactSolution<R
   return std::dynamic_pointer_cast<const numeric::RiemannHilbertSolution<R>>(attempt.solution);
 }
 
-/// Ends, intensities and tractions agree; b is a moved by `shift`.
+/// Checks that ends, intensities and tractions agree; b is a moved by `shift`.
 template <numeric::Real A, numeric::Real B>
 void solutions_agree(const numeric::ContactSolution<A>& a, const numeric::ContactSolution<B>& b, const B& tolerance,
                      const Rational& shift = 0) {
@@ -93,8 +93,9 @@ numeric::PanelDensity<R> scaled(const numeric::PanelDensity<R>& density, const R
   return result;
 }
 
-/// act(j, side, surface) for each end of contact, point j, that a place in a gap is seen from: on which side of the contact the
-/// gap is, and how much higher the surface is at the place than at that end, by an unrelated quadrature.
+/// Calls act(j, side, surface) for each end of contact, point j, beside the gap of a place: `side` is the side of the
+/// contact on which the gap lies, and `surface` the height of the surface at the place above that end, by an
+/// independent quadrature.
 template <class Act>
 void from_ends_of_gap(const numeric::TractionRepresentation<double>& form, const numeric::SurfaceCheck<double>& check,
                       const numeric::SurfacePoint<double>& at, const Act& act) {

@@ -1,5 +1,5 @@
 #pragma once
-// What the tests of exact tractions compare with.
+// Reference values of the tests of exact tractions.
 
 #include <boost/multiprecision/gmp.hpp>
 
@@ -10,13 +10,13 @@ namespace steadyslide::testing {
 /// 1/pi, mpmath at 80 digits.
 inline const Rational one_over_pi = 0.31830988618379067153776752674502872406891929148091289749533468811779358_r;
 
-/// To so many digits.
+/// Agreement to `digits` digits.
 inline bool near(const Rational& a, const Rational& b, int digits) {
   const Integer scale = boost::multiprecision::pow(Integer(10), static_cast<unsigned>(digits));
   return abs(a - b) * scale <= abs(b) * 10;
 }
 
-/// In sixtieths, `high` excluded.
+/// A multiple of 1/60 from `low` up to, but not including, `high`.
 inline Rational sixtieths(int low, int high) { return Rational(uniform(low, high - 1), 60); }
 
 struct RandomFriction {

@@ -1,5 +1,5 @@
 #pragma once
-// What every test starts from.
+// Common parts of all tests.
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
@@ -22,10 +22,11 @@ namespace steadyslide::testing {}
 using namespace steadyslide;
 using namespace steadyslide::testing;
 
-/// 0.3_r is 3/10, and not the double next to it.
+/// 0.3_r is exactly 3/10, not the double next to it.
 inline Rational operator""_r(const char* number) { return parse_rational(number); }
 
-/// A whole number from low to high, both included, evenly. (rc::gen::inRange alone stays near `low` in early tests.)
+/// Returns a whole number from low to high, both included, with equal chances. (rc::gen::inRange alone stays near `low`
+/// in early tests.)
 inline int uniform(int low, int high) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high + 1)); }
 
 inline bool holds(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
@@ -43,7 +44,7 @@ inline std::vector<std::string> lines(const std::string& text) {
   return result;
 }
 
-/// What stands between the spaces of a text.
+/// Returns the parts of a text between spaces.
 inline std::vector<std::string> words(const std::string& text) {
   std::vector<std::string> result;
   std::istringstream stream(text);
@@ -57,7 +58,7 @@ inline std::string file_text(const std::string& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// A table of texts: behind each line that begins with "=== " stands its head, below it the text.
+/// Reads a table of texts: a line that begins with "=== " is the heading of the text below it.
 inline std::vector<std::pair<std::string, std::string>> sections_of(const std::string& file) {
   std::vector<std::pair<std::string, std::string>> sections;
   for (const std::string& line : lines(file_text(file))) {
@@ -70,7 +71,7 @@ inline std::vector<std::pair<std::string, std::string>> sections_of(const std::s
   return sections;
 }
 
-/// What `act` throws says, or "no error".
+/// Returns the message of the exception that `act` throws, or "no error".
 template <class F>
 std::string thrown_by(const F& act) {
   try {

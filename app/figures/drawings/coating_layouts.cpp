@@ -1,5 +1,5 @@
-// The effective friction of a flat punch against where its two coatings lie: one interval of the one inside the other, and
-// ever finer alternation.
+// The effective friction of a flat punch against the layout of its two coatings: one interval of the one inside the
+// other, and ever finer alternation.
 
 #include <fmt/format.h>
 
@@ -20,7 +20,7 @@ const Rational coated_nu(1, 5);
 const Rational smooth(1, 10);
 const Rational rough(1, 2);
 
-/// `inner` on a half of the contact, between the places c - 1/2 and c + 1/2, `outer` on the rest.
+/// `inner` on a half of the contact, from c - 1/2 to c + 1/2, `outer` on the rest.
 ContactProblem sandwich(const Rational& outer, const Rational& inner, const Rational& c, Sliding sliding) {
   const Rational half_width(1, 2);
   return flat_punch(coated_nu, {outer, inner, outer}, {c - half_width, c + half_width}, sliding);
@@ -32,7 +32,7 @@ double effective(const ContactProblem& problem) {
   return EffectiveFriction<double>(layout).value().value / numeric::to_real<double>(coupling);
 }
 
-/// Lines by the integral over the free surface, marks by the solver on cells.
+/// Draws lines by the integral over the free surface, and marks by the solver on cells.
 void add_curves(Panel& panel, const Rational& outer, const Rational& inner, const std::string& legend) {
   FrictionCurves wanted{{legend + ", to the right", legend + ", to the left"}, {}, {}, 7, 14, effective};
   for (int i = -49; i <= 49; ++i) wanted.places.emplace_back(i, 100);
@@ -51,7 +51,7 @@ Panel by_place() {
   return panel;
 }
 
-/// |s_eff - limit| of N periods, and the derived order through the last of them.
+/// |s_eff - limit| for N periods, and a line with the derived order through the last points.
 Panel by_periods(const std::vector<Rational>& s) {
   Panel panel{{0.595, 0.985, 0.36, 0.91},
               {"periods {/:Italic N} (number)", 1, 2000, true},

@@ -1,4 +1,4 @@
-// The ends of contact against the load, where the contact grows over a friction jump.
+// The ends of contact against the load, for a contact that grows over a friction jump.
 
 #include <algorithm>
 #include <stdexcept>
@@ -12,8 +12,8 @@ namespace {
 
 using SharedSolution = std::shared_ptr<const numeric::RiemannHilbertSolution<double>>;
 
-/// A solution for every load, each starting from the one before. The loads are squares: the contact's length grows like
-/// the root.
+/// Solves for every load, each from the solution before. The loads are squares, because the contact's length grows like
+/// the square root of the load.
 std::vector<SharedSolution> load_steps(const ContactProblem& problem, const Rational& last, int steps) {
   std::vector<SharedSolution> result;
   for (int i = 1; i <= steps; ++i) {
@@ -30,8 +30,8 @@ Point at(const SharedSolution& solution, const numeric::ContactEnd<double>& end)
   return {load_of(solution), end.x.value};
 }
 
-/// Two zones in, one zone out: the solutions between them are halved until their loads are one to six digits.
-/// Returned are those that have two zones.
+/// Takes a solution with two zones and one with one zone. Halves the interval of their loads until the loads agree to
+/// six digits. Returns the solutions with two zones.
 std::vector<SharedSolution> up_to_merging(const ContactProblem& problem, const SharedSolution& two,
                                           const SharedSolution& one) {
   std::vector<SharedSolution> result{two};

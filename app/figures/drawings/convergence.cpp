@@ -1,4 +1,5 @@
-// How both solvers converge: cells as a power of their number, the Riemann-Hilbert method's rules geometrically.
+// The convergence of both solvers: on cells like a power of their number, with the rules of the Riemann-Hilbert method
+// geometrically.
 
 #include <fmt/format.h>
 
@@ -24,8 +25,9 @@ constexpr std::size_t most_cells = 4096;
 
 using Resultant = numeric::Estimate<double> Resultants::*;
 
-/// Consecutive numbers of cells, so that ends and jumps fall everywhere within a cell; more of them where the error is
-/// that of a free end in its cell, and scatters.
+/// Returns the root mean square of the errors for consecutive numbers of cells: so ends and jumps lie at many places
+/// within a cell. It takes more of them if a free end dominates the error, because that error scatters with the place
+/// in its cell.
 double error_on_cells(const ContactProblem& problem, std::size_t cells, Resultant resultant, double exact,
                       double rate) {
   std::vector<double> errors;
@@ -49,7 +51,7 @@ void add(Panel& panel, const std::string& name, const std::string& legend, Resul
   }
   marks.legend =
       fmt::format("{}: rate {}, derived {}", legend, decimal(checks::fitted_rate(levels).value, 2), decimal(rate, 0));
-  // With the derived rate, through the middle of the measured errors.
+  // A line with the derived rate, through the middle of the measured errors.
   double mean = 0;
   for (const Point& p : marks.points) mean += std::log(p.y * std::pow(p.x, rate)) / double(marks.points.size());
   Series line{"", Look::line, style, {}};

@@ -8,7 +8,7 @@ namespace {
 
 const Rational nu(1, 5);
 
-/// Marks at every tenth place.
+/// Draws marks at every tenth place.
 std::vector<Series> curves(const std::function<Rational(const Rational& t)>& place,
                            const std::function<ContactProblem(const Rational& place, Sliding sliding)>& punch) {
   FrictionCurves wanted{{"right coating in front", "right coating at the rear"}, {}, punch, 9, 10};
@@ -23,7 +23,7 @@ Figure make_effective_friction() {
   const Rational high(1);
   const Axis friction{"effective friction {/:Italic T}/{/:Italic P}", 0, 1.05, false, 0.2};
 
-  // Denser towards the ends, where a root of the distance is what changes.
+  // The points are denser towards the ends, because there the curve changes like a square root.
   const auto smooth = [](const Rational& t) { return Rational(t * t * (3 - 2 * t)); };
   const auto place = [&](const Rational& t) { return Rational(2 * smooth(smooth(t)) - 1); };
   const auto moved = [&](const Rational& c, Sliding sliding) { return flat_punch(nu, {low, high}, {c}, sliding); };

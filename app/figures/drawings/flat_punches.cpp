@@ -1,5 +1,5 @@
-// Pressure under a flat punch with one friction coefficient, and with two coatings, the smoother one on the left,
-// sliding one way and the other. [Bal16, (4)-(7), figures 3 and 4]
+// Pressure under a flat punch with one friction coefficient, and with two coatings, the smoother one on the left, for
+// both directions of sliding. [Bal16, (4)-(7), figures 3 and 4]
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ Panel pressure_panel() {
           {"pressure −{/:Italic t}_n  ({/:Italic P}/{/:Italic L})", 0, 1.4, false, 0.2}};
 }
 
-/// With points so near the jump that the curve leaves the frame, or reaches the axis.
+/// Adds points so near the jump that the curve leaves the frame, or reaches the axis.
 std::vector<Point> with_jump(const numeric::ContactSolution<double>& solution) {
   std::vector<Point> curve = pressure_curve(solution, 401);
   for (int k = 4; k <= 60; ++k) {

@@ -14,7 +14,7 @@ ContactProblem punch(const Rational& jump, Sliding sliding) {
   return flat_punch(Rational(1, 5), {smooth_half, rough_half}, {jump}, sliding);
 }
 
-/// A punch with its coatings, and where it slides: the middle of its lower face is at `at`.
+/// Draws a punch with its coatings and its direction of sliding; `at` is the middle of its lower face.
 void add_punch(Panel& panel, const Point& at, Sliding sliding) {
   constexpr double half = 0.16, height = 0.05;
   panel.series.push_back(
@@ -36,7 +36,7 @@ Figure make_friction_direction() {
               {"effective friction {/:Italic T}/{/:Italic P}", 0, 0.56, false, 0.1}};
   panel.legend = LegendAt::none;
   FrictionCurves curves{{"to the right, rough coating in front", "to the left, smooth coating in front"}, {}, punch};
-  // Denser towards the ends, where a root of the distance is what changes.
+  // The points are denser towards the ends, because there the curve changes like a square root.
   for (int i = 1; i < 100; ++i) {
     const Rational t(i, 100);
     curves.places.emplace_back(2 * t * t * (3 - 2 * t) - 1);
@@ -65,7 +65,7 @@ Figure make_friction_direction() {
       "`c = 0`, where each coating has a half.",
       420,
       {panel}};
-  figure.digits = 5;  // its copy in docs/ is compared
+  figure.digits = 5;  // a test compares the copy in docs/
   return figure;
 }
 

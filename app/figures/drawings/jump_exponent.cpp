@@ -1,4 +1,5 @@
-// beta = alpha_- - alpha_+ over the friction on both sides of a jump: where the pressure is infinite, and where 0.
+// beta = alpha_- - alpha_+ over the friction on both sides of a jump, with the regions of infinite and of zero
+// pressure.
 
 #include "app/figures/solved.hpp"
 
@@ -8,9 +9,9 @@ Figure make_jump_exponent() {
   constexpr int steps = 100;
   constexpr double most = 2;
   const Rational nu(1, 5);
-  // The middles of pixels.
+  // Friction at the middle of a pixel.
   const auto friction = [&](int i) { return Rational(2 * i + 1, steps); };
-  // One value on both sides is no jump.
+  // Equal values on both sides are not a jump: the exponent is then 0.
   const auto beta = [&](const Rational& left, const Rational& right) {
     const ContactProblem problem = flat_punch(nu, {left, right}, {0});
     return numeric::to_real<double>(Exponent::angle(problem.coupled_friction(0)) -

@@ -18,7 +18,7 @@ using VariationalPlace = numeric::VariationalSolution::Place;
 
 constexpr std::size_t cells = 16384;
 
-/// One problem by both solvers; all supports have their middle at 0.
+/// One problem, solved by both methods; all supports have their middle at 0.
 struct Solved {
   explicit Solved(const ContactProblem& problem)
       : solution(solved_by_singular_functions(problem)), on_cells(solved_on_cells(problem, cells)) {}
@@ -27,7 +27,7 @@ struct Solved {
   std::shared_ptr<const numeric::VariationalSolution> on_cells;
 };
 
-/// Which singular point, counted from the left, seen from which side.
+/// A singular point, counted from the left, and the side from which the curve approaches it.
 struct Seen {
   std::size_t point;
   Side side;
@@ -64,7 +64,7 @@ Series marks(const Solved& solved, const Seen& seen, int style) {
   return series;
 }
 
-/// "name: derived exponent, exponent read off the cells".
+/// "name: derived exponent, exponent fitted to the cells".
 std::string legend(const std::string& name, const Solved& solved, const Seen& seen) {
   const VariationalPlace& place = solved.on_cells->places().at(seen.point);
   const auto known = place.exact ? variational::PlaceIs::exact : variational::PlaceIs::to_one_cell;

@@ -8,7 +8,7 @@
 namespace steadyslide::app {
 
 Figure make_parabola() {
-  // psi = x^2/2, gamma = 1/2, f = 1: the radius R is 1.
+  // psi = x^2/2, gamma = 1/2, f = 1. The radius R is 1.
   const Rational s(1, 2);
   const ContactProblem problem = parabola(0, {1}, Rational(1, 50));
   const auto solution = solved(problem);

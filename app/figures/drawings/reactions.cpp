@@ -9,7 +9,7 @@ constexpr int tractions_height = 360;
 
 /// The tractions on the body at seven places of the contact, as arrows.
 Panel tractions(const Rational& f, const Frame& frame, const std::string& note) {
-  // psi = x^2/2: its radius is the unit of length.
+  // psi = x^2/2. Its radius is the unit of length.
   const Scene scene{parabola(0, {f}, Rational(1, 4))};
   Panel panel{frame, {"{/:Italic x} / {/:Italic R}", -1, 1, false, 0.5}, {"", 0, 0.7, false, 0.5}};
   make_isotropic(panel, tractions_height);

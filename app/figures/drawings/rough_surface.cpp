@@ -1,4 +1,4 @@
-// A measured profile, as far as the solver can tell: trace, contact zones, pressure (examples/rough_surface.toml).
+// A measured profile as the solver sees it: trace, contact zones, pressure (examples/rough_surface.toml).
 
 #include <fmt/format.h>
 

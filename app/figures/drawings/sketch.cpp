@@ -55,7 +55,7 @@ Figure make_sketch() {
       "constant.",
       height,
       {panel}};
-  figure.digits = 5;  // its copy in docs/ is compared
+  figure.digits = 5;  // a test compares the copy in docs/
   return figure;
 }
 

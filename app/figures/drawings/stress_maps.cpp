@@ -9,7 +9,7 @@
 namespace steadyslide::app {
 namespace {
 
-/// What of a panel lies above its surface: an arrow, and notes.
+/// The height of arrows and notes above the surface, as a fraction of the panel.
 constexpr double note_height = 1.035;
 
 void add_direction(Panel& panel, double from, double to) {

@@ -1,4 +1,4 @@
-// Two bumps: pressure and surface at several loads, until their contact zones are one.
+// Two bumps: pressure and surface at several loads, until the two contact zones become one.
 
 #include <fmt/format.h>
 

@@ -7,7 +7,7 @@ R pi() {
   return 0x1.921fb54442d18p+1;
 }
 
-/// Correctly rounded, as of all rationals that are not GMP's.
+/// Correctly rounded, like all conversions from rationals that are not GMP's.
 template <Real R>
 R to_real(const Rational& value) {
   return value.convert_to<R>();

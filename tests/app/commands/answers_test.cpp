@@ -1,4 +1,4 @@
-// What commands answer: tests/app/commands/answers.txt and example_answers.txt, which say how they are read.
+// The answers of commands: tests/app/commands/answers.txt and example_answers.txt. These files describe their format.
 
 #include <regex>
 
@@ -6,7 +6,7 @@
 
 namespace {
 
-/// Values without their errors.
+/// Returns the values without their errors.
 Json values_of(const Json& json) {
   if (is_number(json) || !json.is_structured()) return value_of(json);
   Json result = json;
@@ -29,7 +29,7 @@ std::string part_of(const Finished& answer, const std::string& what) {
   return std::to_string(json.is_string() ? json.get<std::string>().size() : json.size());
 }
 
-/// Of a text with quotes or without.
+/// Reads the number in a text with or without quotes.
 Rational number_of(std::string text) {
   std::erase(text, '"');
   return parse_rational(text);
@@ -50,7 +50,8 @@ bool holds_for(const std::string& found, const std::string& relation, const std:
   return (abs(number - expected) <= parse_rational(value.substr(tolerance + 4))) == (relation == "~");
 }
 
-/// Is it so that "/contact/0/left/kind = ...", see answers.txt? `that` is part of the answer beside it.
+/// Checks one line of answers.txt, for example "/contact/0/left/kind = ...". `that` means a part of the answer
+/// `beside`.
 bool is_so(const Finished& answer, const std::string& expected, const Finished& beside = {}) {
   const std::size_t space = expected.find(' '), next = std::min(expected.find(' ', space + 1), expected.size());
   const std::string what = expected.substr(0, space), relation = expected.substr(space + 1, next - space - 1);
@@ -60,7 +61,7 @@ bool is_so(const Finished& answer, const std::string& expected, const Finished& 
   return holds_for(part_of(answer, what), relation, value);
 }
 
-/// "/{a,b}/{x,y}" stands for four parts of an answer.
+/// Expands "/{a,b}/{x,y}" to four parts of an answer.
 std::vector<std::string> expanded(const std::string& part) {
   std::vector<std::string> parts{part};
   while (holds(parts.front(), "{")) {
@@ -73,7 +74,7 @@ std::vector<std::string> expanded(const std::string& part) {
   return parts;
 }
 
-/// What `steadyslide COMMAND` answers. Returns the number of command lines.
+/// Checks the answers of `steadyslide COMMAND`. Returns the number of command lines.
 int check_answers(const std::string& command_name, const std::string& file, const std::string& folder) {
   std::map<std::string, std::vector<std::string>> expected;
   std::vector<std::pair<std::string, std::string>> commands;

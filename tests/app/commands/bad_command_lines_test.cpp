@@ -1,5 +1,6 @@
-// Bad command lines: the whole message and the exit code of each; help. In bad_command_lines.json stands what steadyslide says of
-// each after "steadyslide: command line: ". {a,b} stands for two lines, one with a and one with b; {} is the one that stands there.
+// Bad command lines: the whole message and the exit code of each; help. bad_command_lines.json has the text of the
+// message after "steadyslide: command line: ". {a,b} stands for two lines, one with a and one with b; {} is the chosen
+// one.
 
 #include "app/command_line.hpp"
 #include "support/rows.hpp"
@@ -10,7 +11,7 @@ TEST_CASE("bad command lines: message, exit code, no output") {
   folder.write("good.toml", rest + "profile = 0\n");
   folder.write("wedge.toml", rest + "pieces = [{to = 0, profile = \"-x\"}, {to = 1, profile = \"x\"}]\n");
   folder.write("tilt.toml", "load_at = 0\n" + rest + "profile = 0\n");
-  std::string trace;  // of more breaks than the Riemann-Hilbert method takes
+  std::string trace;  // a trace with more breaks than the Riemann-Hilbert method takes
   for (int k = -101; k <= 101; ++k) trace += std::to_string(k) + "e-2," + std::to_string(k * k) + "e-4\n";
   folder.write("rough.csv", trace);
   folder.write("rough.toml", rest + "samples = \"rough.csv\"\n");

@@ -1,10 +1,11 @@
-// solve --certify: proofs, enclosed numbers and their digits, certificates, and what is not proved.
+// solve --certify: proofs, enclosed numbers and their digits, certificates, and cases without a proof.
 
 #include "app/json_answers.hpp"
 
 namespace {
 
-/// Every number with an error: is the other answer's number within both errors? How many are there?
+/// Checks that every number with an error agrees with the other answer's number within both errors. Returns the number
+/// of comparisons.
 int check_enclosed(const Json& proved, const Json& other) {
   return sum_over_numbers(proved, other, [](const Json& a, const Json& b) {
     if (value_of(a).is_null()) return 0;
@@ -41,7 +42,7 @@ TEST_CASE("a proved solution's numbers enclose those of other digits and of the 
 TEST_CASE("digits shown are proved ones; a number that has none is shown with its error") {
   const std::string text = output(problem_text("coated_punch"), {"--certify", "--digits", "60"});
   check_holds(text, {"\nproved: ", "relative errors, proved", "unique by theorem 1 of [Bal16]"});
-  // The same digits with more of them.
+  // More digits begin with the same digits.
   const std::string more = output(problem_text("coated_punch"), {"--certify", "--digits", "90"});
   const auto friction = [](const std::string& answer) {
     const std::size_t at = answer.find("0.", answer.find("effective friction"));
@@ -67,7 +68,7 @@ TEST_CASE("a notch below its threshold: the gap of 1e-93 is proved, and has a ce
 
 TEST_CASE("what is not proved is printed as the solver has it, with the reason, exit code 1 and no certificate") {
   const TemporaryFolder folder;
-  // Under this load the wedge's left flank just ends: an exact threshold.
+  // With this place of the load the far edge carries no pressure. This is an exact threshold, which cannot be proved.
   const Finished finished = folder.run(words("solve - --certificate none.json"), problem_text("edge_without_pressure"));
   CHECK(finished.code == 1);
   CHECK(holds(finished.out, "\nnot proved: "));
@@ -91,7 +92,7 @@ TEST_CASE("on cells load shares are enclosed, and the other method's lie there; 
   const Json proved = solve(problem_text("parabola"), {"--method", "variational", "--cells", "1024", "--certify"});
   const Json exact = solve(problem_text("parabola"));
   CHECK(proved["bound"]["status"] == "proved");
-  CHECK(keys(proved["resultants"]["centre_of_pressure"]) == "value error");  // what the bound does not cover
+  CHECK(keys(proved["resultants"]["centre_of_pressure"]) == "value error");  // the bound does not cover this quantity
   CHECK(check_enclosed(proved["resultants"], exact["resultants"]) >= 4);
   for (std::size_t k = 0; k < 2; ++k) {
     const Json& share = proved["resultants"]["load_share"][k];
@@ -129,14 +130,15 @@ TEST_CASE("a certificate for all loads between two: boxes that follow each other
     last = box["loads"][1];
   }
   CHECK(last == "1");
-  // In between the contact's end passes the jump: at the load 0.557387094, by bisection of its end in 50 digits.
+  // Between these loads the end of contact passes the jump: at the load 0.557387094, by bisection of its end in 50
+  // digits.
   const std::string passing = replaced(parabola, "jumps = [0]", "jumps = [0.25]");
   const Finished event = folder.run(words("solve - --load-steps 0.5,2 --certificate none.json"), passing);
   CHECK(event.code == 1);
   CHECK(holds(event.err, "0.557387"));
   CHECK(holds(event.err, "the right end of contact passes the friction jump at x = 0.25"));
   CHECK(folder.names() == std::vector<std::string>{"loads.json"});
-  // However many threads there are.
+  // The result does not depend on the number of threads.
   const std::string written = folder.read("loads.json");
   const auto followed = [&](const std::string& jobs) {
     return run(passing, words("--load-steps 0.5,2 --certify" + jobs)).out;

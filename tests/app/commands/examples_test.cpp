@@ -1,4 +1,4 @@
-// Every example file runs, and says what its header and the README say.
+// Every example file runs, and its output agrees with its header and the README.
 
 #include <filesystem>
 
@@ -10,7 +10,7 @@ namespace {
 
 const fs::path folder = STEADYSLIDE_EXAMPLES;
 
-/// The commands that an example's header shows, as arguments.
+/// Returns the commands in an example's header, as arguments.
 std::vector<Arguments> commands(const fs::path& file) {
   std::vector<Arguments> result;
   for (const std::string& line : lines(file_text(file.string()))) {
@@ -30,7 +30,7 @@ TEST_CASE("every problem file: its command runs, its exponents are found, and it
     const std::string name = entry.path().filename();
     CAPTURE(name);
     CHECK(holds(readme, "(" + name + ")"));
-    const bool is_sweep = name.starts_with("sweep_");  // of another example
+    const bool is_sweep = name.starts_with("sweep_");  // a sweep uses the problem of another example
     CHECK((is_sweep || run_program({"exponents", name}, folder).code == 0));
     const auto shown = commands(entry.path());
     REQUIRE(shown.size() == 1);

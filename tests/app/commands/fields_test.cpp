@@ -1,5 +1,5 @@
-// Stresses below the surface, nodal forces and the largest stress as the program tells them: beside each other, proved and
-// estimated, for every method and at many digits.
+// Stresses below the surface, nodal forces and the largest stress in the program's output: compared with each other,
+// proved and estimated, for every method and at many digits.
 
 #include "app/json_answers.hpp"
 
@@ -24,7 +24,7 @@ double real_at(const Json& object, const std::string& key) { return real(object.
 double error(const Json& number) { return std::stod(number.back().get<std::string>()); }
 double error_at(const Json& object, const std::string& key) { return error(object.at(key)); }
 
-/// All numbers of an object, and of the objects in it.
+/// Compares all numbers of an object, and of the objects in it.
 void check_agree(const Json& a, const Json& b, double relative) {
   sum_over_numbers(a, b, [&](const Json& one, const Json& other) {
     CHECK(std::abs(real(one) - real(other)) <= error(one) + error(other) + relative * std::abs(real(other)));
@@ -47,7 +47,7 @@ TEST_CASE("stresses at depths that double does not have are computed with more d
     const Finished finished = folder.run({"solve", "p.toml", "--format", "json", "--stress-at", "points.csv"});
     return Json::parse(out_of(finished)).at("stresses").at(0);
   };
-  // Beside a friction jump stresses are a constant and a power of the depth: from decade to decade they change by a factor.
+  // Beside a friction jump the stresses are a constant plus a power of the depth: each decade changes them by a factor.
   const auto factor = [&](int decade) {
     const auto sxx = [&](int power) { return real_at(stress_at("1e-" + std::to_string(power)), "sxx"); };
     return (sxx(decade + 2) - sxx(decade + 1)) / (sxx(decade + 1) - sxx(decade));
@@ -63,7 +63,7 @@ TEST_CASE("proved stresses, gradients and nodal forces are the estimated ones, w
   check_same(fields_of({"--method", "riemann-hilbert"}), proved);
   check_same(fields_of({"--digits", "40"}), proved);
   CHECK(error_at(proved["stresses"][0], "sxx") < 1e-13);
-  // Control: another load.
+  // Control: with another load the numbers differ.
   const Json heavier = fields_of({}, replaced(coated, "load = 2", "load = 2.001"));
   CHECK(std::abs(real_at(heavier["stresses"][0], "szz") - real_at(proved["stresses"][0], "szz")) > 1e-4);
 }
@@ -107,7 +107,8 @@ TEST_CASE("the largest stress: its place, its depth, and where there is no bound
 }
 
 TEST_CASE("with a proof the largest stress is a lower bound, and says so") {
-  // Below the middle of a smooth contact without friction, at the surface under friction, and beside edges.
+  // The largest stress below the middle of a smooth contact without friction, at the surface under friction, and beside
+  // edges.
   const std::string smooth =
       "load = 0.1\n[half_space]\npoisson = 0.3\nyoung = 1\n[friction]\nvalues = [0]\n"
       "[indenter]\nprofile = \"x^2/2\"\n";

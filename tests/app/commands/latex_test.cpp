@@ -1,4 +1,4 @@
-// A LaTeX table compiles. Needs pdflatex; where it is absent the test says so and checks the text only.
+// A LaTeX table compiles. This needs pdflatex; if it is absent, the test says so and checks only the text.
 
 #include <regex>
 
@@ -6,7 +6,7 @@
 
 namespace {
 
-/// t.tex of the folder.
+/// Compiles t.tex of the folder.
 void compile(const TemporaryFolder& folder, bool fits) {
   if (run_other({"sh", "-c", "command -v pdflatex"}, folder.path()).code != 0) {
     MESSAGE("pdflatex is absent: not compiled");
@@ -18,7 +18,7 @@ void compile(const TemporaryFolder& folder, bool fits) {
   CHECK(std::filesystem::exists(folder.path() / "t.pdf"));
 }
 
-/// The prose of a document, and its formulas: what stands between dollars or in displays.
+/// Returns the prose of a document, and its formulas: the text between dollars or in displays.
 std::pair<std::string, std::string> parts(const std::string& document) {
   std::string prose, formulas, text = document.substr(document.find("\\begin{document}"));
   const std::regex formula("\\$[^$]*\\$|\\\\\\[[^]*?\\\\\\]");
@@ -29,7 +29,7 @@ std::pair<std::string, std::string> parts(const std::string& document) {
   return {prose + text, formulas};
 }
 
-/// Formulas are formulas, in the prose too, and every name has its sign.
+/// Checks that formulas are set as formulas, also in the prose, and that every name has its sign.
 void check_notation(const std::string& document) {
   const auto [prose, formulas] = parts(document);
   const std::regex in_prose(

@@ -1,4 +1,4 @@
-// --generate: the manual page and the completions say all that --help says.
+// --generate: the manual page and the completions have all the content of --help.
 
 #include <regex>
 
@@ -8,7 +8,7 @@ namespace {
 
 const std::vector<std::string> command_names = words("verify exponents table solve design sweep figures report");
 
-/// The options that --help of a command lists.
+/// Returns the options in --help of a command.
 std::set<std::string> options_of(const std::string& command) {
   const std::string help = out_of(run_alone({command, "--help"}));
   const std::string list = help.substr(help.find("\nOptions:\n"), help.find("\n\n", help.find("\nOptions:\n")));
@@ -22,7 +22,7 @@ std::set<std::string> options_of(const std::string& command) {
   return options;
 }
 
-/// What bash offers for these words, the last of which is being typed.
+/// Returns bash's completions of these words; the last word is incomplete.
 std::set<std::string> offered(const TemporaryFolder& folder, const std::string& words, int last) {
   const std::string script = "source ./completion; COMP_WORDS=(" + words + "); COMP_CWORD=" + std::to_string(last) +
                              "; _steadyslide; printf '%s\\n' \"${COMPREPLY[@]}\"";
@@ -52,7 +52,7 @@ TEST_CASE("the manual page has every command, its options and what stands below 
       if (option == "-h" || option == "--help") continue;
       CHECK_MESSAGE((holds(section, "\n" + option) || holds(section, ", " + option)), option);
     }
-    // Every line of the help that is no option, in order.
+    // Every line of the help that is not an option, in order.
     const std::string help = out_of(run_alone({command, "--help"}));
     CHECK(lines(help).size() <= 80);  // two screens
     const std::size_t below = help.find("\n\n", help.find("\nOptions:\n"));
@@ -62,7 +62,7 @@ TEST_CASE("the manual page has every command, its options and what stands below 
     CHECK(holds(section, help.substr(below + 2, end - below - 2)));
   }
   check_holds(plain, {"\n.SH CONVENTIONS\n", "Exit code  0 done", "until_load, status, event"});
-  // roff's own signs are none of its requests.
+  // No line of text is taken for a request of roff.
   for (const std::string& line : lines(page)) {
     if (line.starts_with("."))
       CHECK_MESSAGE(std::regex_search(line, std::regex("^\\.(TH|SH|SS|TP|PP|B|br|nf|fi)\\b")), line);
@@ -84,6 +84,6 @@ TEST_CASE("bash completes commands, options, and the words that an option takes"
   CHECK(offered(folder, "steadyslide solve f.toml --format ''", 4) == std::set<std::string>{"text", "json", "csv"});
   CHECK(offered(folder, "steadyslide solve --method v", 3) == std::set<std::string>{"variational"});
   CHECK(offered(folder, "steadyslide --generate ''", 2) == std::set<std::string>{"man", "bash"});
-  // Files are bash's own.
+  // bash itself completes file names.
   CHECK(offered(folder, "steadyslide solve two", 2).empty());
 }

@@ -1,4 +1,4 @@
-// Files written whole or not at all, and what happens when they cannot be.
+// Files are written completely or not at all, also when they cannot be written.
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -14,7 +14,7 @@ const Arguments small_table = words("table --poisson 0.3 --rear 0.2 --front 0.4"
 
 Arguments into(const std::string& file) { return joined(small_table, {"-o", file}); }
 
-/// More than a second's work.
+/// It works for more than a second.
 const Arguments long_solve = joined({"solve", STEADYSLIDE_EXAMPLES "/rough_surface.toml"},
                                     words("--method variational --cells 1048576 -o result"));
 
@@ -72,7 +72,7 @@ TEST_CASE("no input is a pipe or a device, the standard input excepted") {
   folder.write("p.toml", problem);
   folder.write("trace.toml", replaced(problem, "profile = 0", "samples = \"pipe\""));
   folder.write("sweep.toml", "problem = \"pipe\"\n[vary]\nload = [1]\n");
-  // Who waits for a writer waits for ever.
+  // Opening a pipe without a writer would block for ever.
   const auto refused = [&](const Arguments& arguments, const std::string& message) {
     check_refused(run_program_by({"timeout", "20"}, arguments, folder.path()), message);
   };
@@ -91,7 +91,7 @@ TEST_CASE("no input is a pipe or a device, the standard input excepted") {
 }
 
 TEST_CASE("a file without write permission is left alone") {
-  if (::geteuid() == 0) return;  // root may write everything
+  if (::geteuid() == 0) return;  // root may write everywhere
   const TemporaryFolder folder{{"result", "earlier"}};
   fs::permissions(folder.path() / "result", fs::perms(0440));
   CHECK(folder.run(into("result")).code == 3);

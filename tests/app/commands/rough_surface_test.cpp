@@ -1,10 +1,10 @@
-// The measured profile among the examples is what its generator prints, and that is what it says.
+// The measured profile among the examples is the output of its generator, and has the properties in its description.
 
 #include "app/json_answers.hpp"
 
 namespace {
 
-/// The numbers of a trace's lines after its header.
+/// Returns the numbers of a trace's lines after its header.
 std::vector<double> numbers(const std::string& trace) {
   std::vector<double> result;
   for (const std::string& text : lines(trace.substr(trace.find("x,psi\n") + 6))) {
@@ -17,7 +17,7 @@ std::vector<double> numbers(const std::string& trace) {
 
 std::string stored_trace() { return file_text(STEADYSLIDE_EXAMPLES "/rough_surface.csv"); }
 
-/// Infinite for traces of different lengths.
+/// Returns infinity for traces of different lengths.
 double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
   if (a.size() != b.size()) return HUGE_VAL;
   double largest = 0;
@@ -65,7 +65,7 @@ TEST_CASE("the rough surface is what its generator prints") {
 TEST_CASE("the rough surface has its roughness and its waves") {
   const std::vector<double> trace = numbers(stored_trace());
   const std::size_t intervals = trace.size() / 2 - 1;
-  // One period: the last point is the first one's.
+  // One period: the last point equals the first one.
   double power = 0;
   std::vector<double> amplitude(300, 0);
   for (std::size_t wave = 0; wave < amplitude.size(); ++wave) {

@@ -5,12 +5,13 @@ namespace {
 const std::string punch = problem_text("punch"), parabola = problem_text("parabola");
 const std::string coated_punch = problem_text("coated_punch");
 
-/// Is each number's error at least a tenth (it is an estimate) of what differs from the reference? How many are there?
+/// Checks that each number's error is at least a tenth of its difference from the reference; the error is an estimate.
+/// Returns the number of comparisons.
 int check_errors(const Json& json, const Json& reference) {
   return sum_over_numbers(json, reference, [](const Json& a, const Json& b) {
     CHECK(keys(a) == "value error");
     if (a["value"].is_null()) return 0;
-    if (a["value"] == "inf") {  // exact
+    if (a["value"] == "inf") {  // an exact number
       CHECK(b["value"] == "inf");
       return 0;
     }
@@ -76,7 +77,7 @@ TEST_CASE("tilt: only with load_at, and the pressure's centre lies under the loa
     CHECK(near(json["resultants"]["centre_of_pressure"], at, "1e-12"));
     CHECK(holds(run(tilting).out, "  tilt "));
     CHECK(json["uniqueness"]["status"] == "not_covered");
-    // The same with the slope put into the profile of an indenter that keeps its attitude.
+    // The same problem with the slope in the profile, and with an indenter that cannot tilt.
     const std::string tilt = json["resultants"]["tilt"]["value"].get<std::string>();
     const Json fixed = solve(replaced(coated_punch, "profile = \"0\"", "profile = \"" + tilt + "*x\""));
     CHECK(near(fixed["resultants"]["centre_of_pressure"], at, "1e-11"));

@@ -1,4 +1,4 @@
-// What no list of answers says of `verify` and `table`.
+// Tests of `verify` and `table` that do not fit into the lists of answers.
 
 #include <chrono>
 

@@ -1,4 +1,4 @@
-// Traces with the mistakes that people make: the sign turned, the unit mixed up, cut off too early.
+// Traces with typical mistakes: the wrong sign, the wrong unit, a trace that is cut too early.
 
 #include "app/json_answers.hpp"
 
@@ -10,7 +10,7 @@ struct Answer {
   Json json;
 };
 
-/// On a trace of points x, height(x) on [-1, 1].
+/// A problem with a trace of points x, height(x) on [-1, 1].
 template <class Height>
 Answer solve_trace(Height height, const Arguments& arguments = {}) {
   const TemporaryFolder folder;
@@ -23,10 +23,10 @@ Answer solve_trace(Height height, const Arguments& arguments = {}) {
 
 double bowl(double x) { return x * x / 4; }
 
-/// The bowl with some waves, its heights in thousandths of the unit of x.
+/// The bowl with some waves; its heights are in thousandths of the unit of x.
 double in_micrometres(double x) { return 1000 * (bowl(x) + 0.002 * std::sin(37 * x) + 0.001 * std::sin(91 * x + 1)); }
 
-/// As they stand on stderr.
+/// The warnings as they are on stderr.
 std::string as_lines(const Json& warnings) {
   std::string result;
   for (const Json& warning : warnings) result += "steadyslide: -: warning: " + warning.get<std::string>() + "\n";
@@ -83,7 +83,7 @@ TEST_CASE("a notch pressed so hard that its gap has no number: its order of magn
   CHECK(json["contact"].size() == 1);
   CHECK(finished.err == as_lines(json["warnings"]));
   CHECK(has(json["warnings"], "they are too short for any place in them to have a number; x = 0 (about 1e-"));
-  // A proof asks for the sign in the corner.
+  // A proof has to decide the sign in the corner.
   const Finished certified = run_program({"solve", "-", "--certify"}, ".", problem_text("pressed_notch"));
   CHECK(certified.code == 1);
   CHECK(holds(certified.out + certified.err, "not proved"));

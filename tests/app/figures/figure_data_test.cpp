@@ -1,4 +1,4 @@
-// The numbers in the figures, against `solve` and against formulas.
+// The numbers in the figures, compared with `solve` and with formulas.
 
 #include "app/figure_problems.hpp"
 #include "app/figures/moment_rule.hpp"
@@ -45,7 +45,7 @@ TEST_CASE("the parabola is that of solve and of Galin") {
   check_curve(curve, given, half, load / half);
   CHECK(curve.points[1].x == doctest::Approx(-(1 + 2 * a)).epsilon(1e-12));
   CHECK(curve.points[curve.points.size() - 2].x == doctest::Approx(1 - 2 * a).epsilon(1e-12));
-  // Surface and profile are one in the contact, and only there.
+  // Surface and profile agree in the contact, and only there.
   const std::vector<Series>& heights = figure.panels[0].series;
   for (std::size_t i = 0; i < heights[0].points.size(); ++i) {
     const Point& profile = heights[0].points[i];
@@ -92,7 +92,7 @@ TEST_CASE("local forms have the derived slopes, and cells read the same") {
       CHECK(holds(line.legend, ": " + text + ", cells " + text.substr(0, text.size() - 1)));
     }
   }
-  // The wedge: differences of a logarithm. The slope's jump is 2, c = 1.92.
+  // The wedge: differences of a logarithm. The jump of the slope is 2, c = 1.92.
   const std::vector<Point>& wedge = figure.panels[0].series[6].points;
   const double factor = (wedge[0].y - wedge[5].y) / std::log(wedge[5].x / wedge[0].x) * std::numbers::pi;
   CHECK(factor == doctest::Approx(2 / 1.92 / (1 + 0.375 * 0.375)).epsilon(1e-3));
@@ -123,7 +123,7 @@ TEST_CASE("contact zones are those of solve, and end b moves as derived") {
       CHECK(rate != doctest::Approx(derived(gamma * (2.1 - f))).epsilon(0.05));
     }
   }
-  // The loads between which the zones meet, as examples/two_bumps.toml has them.
+  // The loads between which the zones merge, in examples/two_bumps.toml.
   const double merged = figure.panels[1].series[2].points.back().x;
   CHECK(merged > 0.77);
   CHECK(merged < 0.78);
@@ -171,7 +171,7 @@ TEST_CASE("the stress map reaches the tractions at the surface") {
   const double nearer = surface_error(*solution, problem, Rational(1, 1000000));
   CHECK(near < 0.002);
   CHECK(nearer == doctest::Approx(near / 1000).epsilon(0.1));
-  // The control: the shear with the other sign.
+  // The control: the shear with the opposite sign.
   const numeric::InteriorStress<double> interior(*solution);
   const auto below = interior.at(0.5_r, 0.001_r);
   CHECK(std::abs(below.xz.value + surface_stress(*solution, problem, 0.5).xz.value) > 0.1);
@@ -185,7 +185,7 @@ TEST_CASE("the stress map reaches the tractions at the surface") {
     const auto stress = interior.at(Rational(map.x[i]), Rational(map.y[row]));
     CHECK(map.values[row * map.x.size() + i] == doctest::Approx(stress.von_mises()->value).epsilon(1e-9));
   }
-  // The first row is the limit of what lies below it.
+  // The first row is the limit from below.
   for (const std::size_t i : {10, 120, 200, 310}) {
     const auto stress = interior.at(Rational(map.x[i]), Rational(1, 1000000));
     CHECK(map.values[i] == doctest::Approx(stress.von_mises()->value).epsilon(1e-4));

@@ -1,4 +1,4 @@
-// Other pictures than SVG, tables beside them, and the copies in docs/.
+// Pictures in other formats than SVG, the tables beside them, and the copies in docs/.
 
 #include "app/command_line.hpp"
 #include "app/figures/figure_data.hpp"

@@ -1,4 +1,4 @@
-// The sketch, maps, zones and exponents in the figures, against `solve` and against formulas.
+// The sketch, maps, zones and exponents in the figures, compared with `solve` and with formulas.
 
 #include <cmath>
 #include <regex>
@@ -25,7 +25,7 @@ std::size_t check_labels(const Figure& figure, Function function) {
   std::set<std::ptrdiff_t> labelled;
   for (std::sregex_iterator found(svg.begin(), svg.end(), label), end; found != end; ++found) {
     const double number = std::stod(found->str(4)) * (found->length(3) > 0 ? -1 : 1);
-    // Text stands on its line, and a label's middle is its place.
+    // The text's place is on its base line; the middle of a label is its place on the map.
     const double right_of = std::stod(found->str(1)) / 800,
                  above = 1 - (std::stod(found->str(2)) - size / 3) / figure.height;
     const double x = across.from + (right_of - left) / (right - left) * (across.to - across.from);
@@ -161,7 +161,7 @@ TEST_CASE("the largest stress is where solve finds it, and contours carry their 
         }) == map.contours.size());
   const auto punch = solved(stress_map_problem());
   const numeric::InteriorStress<double> below(*punch);
-  // The contours of 0.8, around the edges, are too short for labels.
+  // The contours for 0.8, around the edges, are too short for labels.
   CHECK(check_labels(made("stress-map"), [&](double x, double z) {
           return below.at(Rational(x), Rational(std::max(z, 1e-6))).von_mises()->value;
         }) >= 6);

@@ -1,4 +1,4 @@
-// `steadyslide figures`: what it writes, and what it says where it cannot.
+// `steadyslide figures`: its files, and its messages when it fails.
 
 #include <csignal>
 
@@ -10,7 +10,7 @@ using namespace steadyslide::app;
 
 namespace {
 
-/// Enhanced text as it is shown: "{/:Italic t}_n" is "tn".
+/// Returns enhanced text as it is displayed: "{/:Italic t}_n" becomes "tn".
 std::string plain(const std::string& text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -34,11 +34,11 @@ void check_texts(const Figure& figure, const std::string& svg) {
       CHECK_FALSE(series.points.empty());
     }
   }
-  // The control.
+  // The control: another title is not found.
   CHECK_FALSE(holds(shown, figure.title + "?"));
 }
 
-/// Has it a unit, or a name without one? (Numbers: cells, nodes, friction, relative errors.)
+/// True if the label has a unit, or is the name of a quantity without one: cells, nodes, friction, relative errors.
 bool has_unit(const std::string& label) {
   if (label.empty() || holds(label, "/") || holds(label, "(")) return true;
   const std::vector<std::string> pure = lines(
@@ -86,7 +86,7 @@ TEST_CASE("every figure is written, whole, the same each time, and shows its tit
       CAPTURE(id);
       CHECK(all_ids.insert(id).second);
     }
-    // References name ids of the same figure.
+    // References use ids of the same figure.
     for (std::size_t at = 0; (at = svg.find("xlink:href='#", at)) != std::string::npos; ++at) {
       const std::size_t begin = at + 13;
       const std::string id = svg.substr(begin, svg.find('\'', begin) - begin);
@@ -129,7 +129,7 @@ TEST_CASE("without gnuplot: one clear line and nothing written") {
                 "gnuplot: not found; figures are drawn by gnuplot 5.4 or later (Debian's package gnuplot-nox)", 3);
   CHECK(folder.names().empty());
 
-  // A gnuplot that fails.
+  // gnuplot fails here.
   folder.write("gnuplot", "#!/bin/sh\necho 'line 1: out of order' >&2\nexit 1\n");
   std::filesystem::permissions(folder.path() / "gnuplot", std::filesystem::perms::owner_all);
   check_refused(with_path(folder.path().string(), folder.path()),
@@ -145,7 +145,7 @@ TEST_CASE("what cannot be written leaves nothing") {
   check_refused(draws_into("file"), "file: is no folder", 3);
   check_refused(draws_into("file/new"), "file/new: cannot be made: Not a directory", 3);
   CHECK(folder.read("file") == "kept");
-  // A folder stands where the figure should.
+  // A folder has the name of the figure's file.
   std::filesystem::create_directory(folder.path() / "parabola.svg");
   check_refused(draws_into("."), "./parabola.svg: cannot be written: Is a directory", 3);
   CHECK(folder.names() == std::vector<std::string>{"file", "parabola.svg"});

@@ -1,4 +1,4 @@
-// `solve --plot`: the curves in the picture are the samples of the result, whatever the method; what is refused.
+// `solve --plot`: the curves in the picture are the samples of the result, for every method. Also: refused options.
 
 #include "app/json_answers.hpp"
 #include "app/svg.hpp"
@@ -9,7 +9,7 @@ using Points = std::vector<std::pair<double, double>>;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// What stands between `from` and the next `to`.
+/// Returns the text between `from` and the next `to`.
 std::string between(const std::string& text, const std::string& from, const std::string& to, std::size_t at = 0) {
   const std::size_t begin = text.find(from, at);
   REQUIRE(begin != std::string::npos);
@@ -17,7 +17,7 @@ std::string between(const std::string& text, const std::string& from, const std:
   return text.substr(inside, text.find(to, inside) - inside);
 }
 
-/// The coordinates of a path's points.
+/// Returns the coordinates of a path's points.
 Points points_of(const std::string& path) {
   Points points;
   static const std::regex pair("(-?[0-9.]+),(-?[0-9.]+)");
@@ -27,14 +27,14 @@ Points points_of(const std::string& path) {
   return points;
 }
 
-/// A number as gnuplot prints it, with a minus sign; NaN for a text.
+/// Reads a number as gnuplot prints it, with a minus sign. Returns NaN for a text.
 double printed(std::string label) {
   if (label.starts_with("−")) label = "-" + label.substr(std::string("−").size());
   static const std::regex number("-?[0-9.]+(e[-+]?[0-9]+)?");
   return std::regex_match(label, number) ? std::stod(label) : std::nan("");
 }
 
-/// From the coordinates of the picture to numbers, as a reader takes it from the numbers at two tics.
+/// Converts coordinates of the picture to numbers, from the numbers at two tics.
 struct Scale {
   double place = 0, value = 0, unit = 0;
 
@@ -47,7 +47,7 @@ struct Scale {
   }
 };
 
-/// One of the two panels: 'a' above, 'b' below.
+/// One of the two panels: 'a' is the upper one, 'b' the lower one.
 class PlottedPanel {
  public:
   PlottedPanel(const std::string& svg, char panel) : svg_(svg), panel_(panel) {
@@ -67,7 +67,7 @@ class PlottedPanel {
     if (!across.empty()) across_ = Scale::through(across);
   }
 
-  /// Of the k-th curve, counted from 1, without the sample of its line beside the legend.
+  /// Returns the k-th curve, counted from 1, without the sample of its line in the legend.
   Points curve(int k) const {
     const std::size_t at = svg_.find("id=\"solve_plot_" + std::to_string(k) + panel_);
     REQUIRE(at != std::string::npos);
@@ -86,7 +86,7 @@ class PlottedPanel {
   }
 
   void use_x_of(const PlottedPanel& other) { across_ = other.across_; }
-  /// Half of the last digit in the picture, twice: the scale has it, too.
+  /// Half of the last digit in the picture, twice: once for the point, once for the scale.
   double tolerance_x() const { return 0.02 * std::abs(across_.unit); }
   double tolerance_y() const { return 0.02 * std::abs(up_.unit); }
 
@@ -96,7 +96,7 @@ class PlottedPanel {
   Scale across_, up_;
 };
 
-/// How many of the points are vertices of the curve. The frame may cut the others.
+/// Returns how many of the points are vertices of the curve. The frame may cut off the others.
 std::size_t met(const Points& points, const Points& curve, const PlottedPanel& panel) {
   std::size_t count = 0;
   for (const auto& [x, y] : points) {
@@ -116,7 +116,7 @@ double side(const Json& value, const char* which) {
   return text == "-inf" ? -infinite : text == "inf" ? infinite : std::stod(text);
 }
 
-/// Of contact alone, but for the surface, whose height is psi minus the gap.
+/// Tractions are sampled only in the contact; the surface, of the height psi minus the gap, everywhere.
 Sampled sampled(const Json& solution, double (*psi)(double)) {
   Sampled result;
   for (const Json& sample : solution["samples"]) {
@@ -177,7 +177,7 @@ TEST_CASE("the curves are the samples of the result, for every method") {
     CHECK(wanted.pressure.size() > 600);
     CHECK(met(wanted.pressure, below.curve(1), below) == wanted.pressure.size());
     CHECK(met(wanted.shear, below.curve(2), below) == wanted.shear.size());
-    // The panel above ends beside the contact.
+    // The upper panel ends beside the contact.
     const Points surface = above.curve(2);
     std::erase_if(wanted.surface, [&](const auto& point) {
       return point.first < surface.front().first || point.first > surface.back().first;
@@ -191,7 +191,7 @@ TEST_CASE("the curves are the samples of the result, for every method") {
       CHECK(std::abs(bars[2 * k].first - side(zone["left"]["x"], "")) <= above.tolerance_x());
       CHECK(std::abs(bars[2 * k + 1].first - side(zone["right"]["x"], "")) <= above.tolerance_x());
     }
-    // The control: pressures by a thousandth larger are not in the picture.
+    // The control: pressures that are larger by two thousandths are not in the picture.
     for (auto& [x, y] : wanted.pressure) y *= 1.002;
     CHECK(met(wanted.pressure, below.curve(1), below) < wanted.pressure.size() * 9 / 10);
   }
@@ -206,7 +206,7 @@ TEST_CASE("a picture has the numbers of a far and a small problem") {
                       indenter + "half_space.poisson = 0.3\nfriction.values = [0.2]\n"));
     const std::string svg = folder.read("p.svg");
     check_holds(shown_text(svg), {"standard input", "surface", "shear"});
-    // A curve goes up and down over a good part of its panel.
+    // A curve goes up and down over a large part of its panel.
     const std::size_t at = svg.find("id=\"solve_plot_1b\"");
     double low = infinite, high = -infinite;
     for (const auto& [x, y] : points_of(between(svg, " d='", "'", at))) {
@@ -225,7 +225,7 @@ TEST_CASE("PDF and PNG are drawn, by the ending of the name") {
     CHECK(folder.read(file).starts_with(magic));
     CHECK(folder.read(file).size() > 10000);
   }
-  // 1600 x 1240, big-endian, as the header of a PNG says.
+  // 1600 x 1240 pixels, big-endian, in the header of a PNG.
   CHECK(folder.read("p.png").substr(16, 8) == std::string("\0\0\x06\x40\0\0\x04\xd8", 8));
 }
 
@@ -249,7 +249,7 @@ TEST_CASE("without a picture nothing is solved, and nothing is left behind") {
   refused({"--plot", "p.svg", "-o", "none/text"}, "none/text: cannot be written: No such file or directory", 3);
   refused({"--plot", "p.svg", "--method", "variational", "--cells", "8"},
           "command line: --cells: out of range; it is a whole number from 16 to 4194304; '8'", 2);
-  // A PATH without gnuplot.
+  // A PATH that does not contain gnuplot.
   const Finished missing =
       run_program_by({"env", "PATH=" + folder.path().string()},
                      {"solve", STEADYSLIDE_EXAMPLES "/parabola.toml", "--plot", "p.svg"}, folder.path());

@@ -13,20 +13,20 @@ using namespace steadyslide::app;
 
 namespace {
 
-/// Without what is said of spaces and forms, and without rows: what a reader of a table of cases can take in.
+/// Removes attributes of spaces and forms, and rows, so that a person can read the tables of cases.
 std::string bare(std::string_view formula) {
   const auto typeset = mathml(formula);
   if (!typeset) return "none";
   std::string xml = std::regex_replace(*typeset, std::regex("</?mrow>|<mspace[^>]*/>"), "");
   xml = std::regex_replace(xml, std::regex("<(\\w+) [^>]*>"), "<$1>");
-  // Brackets are operators where they stretch, and identifiers where they must not.
+  // Brackets are operators if they stretch, and identifiers if they must not.
   return std::regex_replace(xml, std::regex("<mi>([()|[]|]|⟨|⟩)</mi>"), "<mo>$1</mo>");
 }
 
-/// What is seen of it.
+/// Returns the visible text.
 std::string text_of(const std::string& xml) { return std::regex_replace(xml, std::regex("<[^>]*>"), ""); }
 
-/// The letters and digits of a text, Latin and Greek, sorted: scripts may change places.
+/// Returns the letters and digits of a text, Latin and Greek, sorted: sub- and superscripts may change places.
 std::string letters_of(std::string_view text) {
   std::vector<std::string> letters;
   for (; !text.empty();) {
@@ -45,7 +45,7 @@ std::string glyph_of(const std::string& name) {
   return symbol ? std::string(symbol->glyph) : name;
 }
 
-/// What of a formula has to be seen on the page: its names by their glyphs, and its numbers.
+/// Returns the letters of a formula that must be visible on the page: its names by their glyphs, and its numbers.
 std::string expected_letters(std::string_view formula) {
   std::string text;
   const std::vector<MathToken> tokens = math_tokens(formula).value();
@@ -59,7 +59,7 @@ std::string expected_letters(std::string_view formula) {
   return letters_of(text);
 }
 
-/// A formula by the rules of the notation. Nothing that has two readings: no modulus in a modulus, no interval or
+/// Returns a random formula by the rules of the notation, without ambiguity: no modulus in a modulus, no interval or
 /// integral as a factor.
 std::string random_formula(int depth) {
   const auto pick = [](const std::vector<std::string>& parts) { return *rc::gen::elementOf(parts); };

@@ -1,4 +1,4 @@
-// Bad problem files: the whole message and the exit code of each, and no output file.
+// Bad problem files: the whole message and the exit code of each. There is no output file.
 
 #include <regex>
 

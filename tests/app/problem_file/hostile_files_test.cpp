@@ -1,4 +1,5 @@
-// Files of ten megabytes that nobody wrote: an answer or an error within ten seconds and one gigabyte, never a crash.
+// Hostile files of ten megabytes: the program answers or reports an error within ten seconds and one gigabyte, and
+// never crashes.
 
 #include <random>
 
@@ -14,7 +15,7 @@ std::string repeated(const std::string& part, std::size_t size) {
   return text;
 }
 
-/// Of the characters of an alphabet; of all bytes, if it is empty.
+/// Returns random characters of an alphabet, or random bytes if it is empty.
 std::string noise(const std::string& alphabet) {
   std::mt19937 generator(1);
   std::string bytes(ten_megabytes, '\0');
@@ -22,8 +23,8 @@ std::string noise(const std::string& alphabet) {
   return bytes;
 }
 
-/// Runs a problem file, and perhaps a trace t.csv beside it, within ten seconds and one gigabyte; a sanitizer reserves
-/// terabytes, and takes six times as long.
+/// Runs a problem file, if given with a trace t.csv beside it, within ten seconds and one gigabyte. A sanitizer
+/// reserves terabytes, and takes six times as long.
 Finished run_limited(const std::string& text, const std::string& trace = "") {
   const TemporaryFolder folder{{"f.toml", text}, {"t.csv", trace}};
 #ifdef __SANITIZE_ADDRESS__
@@ -154,6 +155,6 @@ TEST_CASE("a trace of a hundred thousand points with all digits of a double") {
   std::string trace = "x,psi\n";
   constexpr int points = 100000;
   for (int k = 0; k < points; ++k) trace += std::to_string(k) + "." + digits() + ",0." + digits() + "\n";
-  // A header, four ends, a wedge at every point between the ends, two free ends anywhere.
+  // A header, four ends, a wedge at every point between the ends, two free ends.
   CHECK(lines(out_of(run_with_trace(trace))).size() == 1 + 4 + (points - 2) + 2);
 }

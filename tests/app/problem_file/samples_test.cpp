@@ -1,4 +1,4 @@
-// `samples` of a problem file: where the trace is looked for, what becomes of it, and the errors of both files.
+// `samples` of a problem file: the path of the trace, its use, and the errors of both files.
 
 #include "app/json_answers.hpp"
 
@@ -65,7 +65,7 @@ TEST_CASE("more breaks than the Riemann-Hilbert method takes") {
 }
 
 TEST_CASE("a trace with its units, turned, without its trend, is the profile that it measures") {
-  // x^2 in mm over [-1, 1] mm, measured in um, towards the body, on a slope and at a height.
+  // x^2 in mm over [-1, 1] mm: once plain, once in um, towards the body, with a slope and an offset added.
   std::string plain, measured;
   for (int k = -200; k <= 200; ++k) {
     const Rational x(k, 200);
@@ -101,14 +101,14 @@ TEST_CASE("a trace with its units, turned, without its trend, is the profile tha
   CHECK(number(indenter["detrend"]["height"]) == 7 + Rational(200 * 201, 3 * 200 * 200));
   CHECK(keys(expected["problem"]["indenter"]) == "support samples points");
 
-  // What the picture says of lengths.
+  // The labels of lengths in the picture.
   CHECK(folder
             .run({"solve", "-", "--method", "variational", "--cells", "256", "--plot", "p.svg"},
                  problem("samples = {file = \"plain.csv\", x_unit = \"um\"}", "0.01"))
             .code == 0);
   check_holds(folder.read("p.svg"), {"(µm)", "user's unit of stress"});
 
-  // Controls: without the sign contact is at both ends of the trace, without the unit in less than a cell.
+  // Controls: without the sign, contact is at both ends of the trace; without the unit, in less than a cell.
   const Finished unturned =
       run_on_cells("samples = {file = \"measured.csv\", x_unit = \"mm\", height_unit = \"um\", detrend = \"line\"}");
   CHECK(unturned.code == 1);

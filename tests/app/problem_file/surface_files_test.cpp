@@ -1,5 +1,4 @@
-// Tables of points, of nodes and of places: the whole message of each bad one, and that nothing is written; what good ones
-// may look like.
+// Tables of points, nodes and places. Bad ones: the whole message of each, and no output. Good ones: the allowed forms.
 
 #include "app/command_line.hpp"
 #include "support/rows.hpp"
@@ -9,7 +8,7 @@ namespace {
 const std::string plain_punch =
     "load = 1\n[half_space]\npoisson = 0.3\n[friction]\nvalues = [0.2]\n[indenter]\nprofile = 0\n";
 
-/// The rows of a list: the text of a table, and the complaint after "t.csv:".
+/// Checks the rows of a list: the text of a table, and the message after "t.csv:".
 void check_bad_tables(const std::string& option, const std::string& list) {
   for (const auto& [text, message] : rows_of(STEADYSLIDE_TESTS "/app/problem_file/" + list)) {
     CAPTURE(text);

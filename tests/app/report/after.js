@@ -1,4 +1,4 @@
-// After the page: a script drives it, and its result, or the complaints, stand in <pre id="result">.
+// Runs after the page: a script drives the page; its result, or the errors, go to <pre id="result">.
 window.addEventListener("load", function () {
   var result = "";
   try {

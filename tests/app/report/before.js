@@ -1,4 +1,4 @@
-// Before the page: what it complains of is kept.
+// Runs before the page: keeps its errors.
 var complaints = [];
 window.addEventListener("error", function (event) { complaints.push(String(event.message)); });
 console.error = function (text) { complaints.push(String(text)); };

@@ -1,4 +1,4 @@
-// Filter, verdicts, order, folds, links, print: ledger.json says what is to be seen.
+// Filter, verdicts, order, folds, links, print: ledger.json has the expected results.
 var r = {};
 r.all = ids(visible());
 r.tools = getComputedStyle(document.getElementById("tools")).display !== "none";
@@ -26,7 +26,7 @@ click("close-all"); r.nothing = opened().length;
 r.manyFormulas = document.querySelectorAll("math").length > 20;
 r.fraction = document.querySelector("#eq-04-flat-punch mfrac").getBoundingClientRect().height > 10;
 r.unknown = document.querySelectorAll("math merror").length;
-// A place is that place: an entry of theorem 16 is none of theorem 1.
+// A place matches as a whole: an entry of theorem 16 does not match theorem 1.
 type("theorem 1"); r.byPlace = ids(visible());
 r.address = location.hash;
 type("");
@@ -34,17 +34,17 @@ location.hash = "#?q=flat+punch&hide=proved&sort=-id";
 window.dispatchEvent(new HashChangeEvent("hashchange"));
 r.recalled = ids(visible()); r.recalledText = document.getElementById("filter").value;
 box("proved"); type(""); order("place");
-// Printed is what is open, unless everything is asked for.
+// Open details are printed; all of them are printed if the reader asks for it.
 window.dispatchEvent(new Event("beforeprint")); r.printed = opened().length;
 window.print = function () { r.printedAll = opened().length; };
 click("print-all");
 window.dispatchEvent(new Event("afterprint")); r.afterPrint = opened().length;
-// A formula tells its TeX and leads to its symbols.
+// A formula shows its TeX and links to its symbols.
 document.querySelector("#eq-04-flat-punch .statement math").dispatchEvent(new MouseEvent("click", { bubbles: true, cancelable: true }));
 r.tex = document.querySelector("#formula code").textContent;
 r.symbols = Array.prototype.map.call(document.querySelectorAll("#formula a"), function (a) {
   return document.querySelector(a.hash).textContent; });
-// A link opens its statement, also where the filter hides it.
+// A link opens its statement, even if the filter hides it.
 type("flat punch");
 location.hash = "#energy-identity";
 window.dispatchEvent(new HashChangeEvent("hashchange"));

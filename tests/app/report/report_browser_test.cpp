@@ -1,4 +1,4 @@
-// The report in a browser: filter, order, folds, phone, print. What is done there: tests/app/report/*.js.
+// The report in a browser: filter, order, folds, phone, print. The scripts are tests/app/report/*.js.
 
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -12,13 +12,13 @@ using Json = nlohmann::json;
 namespace {
 
 struct Browsed {
-  std::string result;                ///< what the page's script left in <pre id="result">, entities resolved
-  std::vector<std::string> console;  ///< what the page, or the browser about it, wrote to the console
+  std::string result;                ///< text in <pre id="result">, written by the page's script, entities resolved
+  std::vector<std::string> console;  ///< messages of the page, and of the browser about it, on the console
 };
 
 std::string script(const std::string& file) { return file_text(STEADYSLIDE_TESTS "/app/report/" + file); }
 
-/// Where there is no browser, unless the environment says CI: there the tests have to run.
+/// True if there is no browser. If the environment has CI set, the tests have to run.
 bool skipped() {
   if (std::getenv("CI") != nullptr) return false;
   if (run_other({"sh", "-c", "command -v chromium"}, std::filesystem::temp_directory_path()).code == 0) return false;
@@ -26,7 +26,7 @@ bool skipped() {
   return true;
 }
 
-/// The profile is of this run: browsers do not share one.
+/// Each run has its own profile: browsers cannot share one.
 Finished chromium(const std::filesystem::path& folder, std::vector<std::string> arguments) {
   std::vector<std::string> command{"chromium",
                                    "--headless=new",
@@ -46,7 +46,7 @@ Finished chromium(const std::filesystem::path& folder, std::vector<std::string> 
 
 std::string url(const std::filesystem::path& file) { return "file://" + file.string(); }
 
-/// Opens FOLDER/PAGE with `drive` run at its end, which leaves text in a variable `result`.
+/// Opens FOLDER/PAGE and runs `drive` at its end; the script leaves text in a variable `result`.
 Browsed browse(const std::filesystem::path& folder, const std::string& page, const std::string& drive) {
   const std::string html = file_text((folder / page).string());
   const std::size_t head = html.find("<head>") + 6, end = html.rfind("</body>");
@@ -74,7 +74,7 @@ Browsed browse(const std::filesystem::path& folder, const std::string& page, con
   return browsed;
 }
 
-/// The number of pages of FOLDER/PAGE, printed.
+/// Returns the number of printed pages of FOLDER/PAGE.
 std::ptrdiff_t printed_pages(const std::filesystem::path& folder, const std::string& page) {
   const std::string pdf = (folder / "printed.pdf").string();
   chromium(folder,
@@ -84,7 +84,7 @@ std::ptrdiff_t printed_pages(const std::filesystem::path& folder, const std::str
   return std::distance(std::sregex_iterator(text.begin(), text.end(), leaf), {});
 }
 
-/// A fabricated page in a folder of its own.
+/// A fabricated page in its own folder.
 struct Page {
   TemporaryFolder folder;
   Page() { folder.write("report.html", app::report_html(fabricated_result(), fabricated_supplement())); }

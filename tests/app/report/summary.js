@@ -1,4 +1,4 @@
-// What the page says of a run.
+// Checks the summary of a run on the page.
 var count = {};
 all.forEach(function (c) { count[c.dataset.verdict] = (count[c.dataset.verdict] || 0) + 1; });
 result = JSON.stringify({ shown: visible().length, count: count,

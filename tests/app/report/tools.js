@@ -1,4 +1,4 @@
-// What every drive of the page uses.
+// Functions that all scripts for the page use.
 var all = Array.prototype.slice.call(document.querySelectorAll("#claims .claim"));
 function now() { return Array.prototype.slice.call(document.querySelectorAll("#claims .claim")); }
 function visible() { return now().filter(function (c) { return c.offsetParent !== null; }); }

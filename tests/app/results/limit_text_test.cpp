@@ -12,14 +12,14 @@ numeric::Estimate<double> estimate(const std::string& text) {
   return {std::stod(text), error == std::string::npos ? 0 : std::stod(text.substr(error + 2))};
 }
 
-/// One text, or both limits; of what is not known there is none.
+/// Returns one text, or both limits; an empty text for an unknown value.
 std::string shown(const LimitText& text) { return text.left.value + (text.two_sided() ? "|" + text.right.value : ""); }
 
 }  // namespace
 
 TEST_CASE("one text for both limits, or two: blow-ups, what is not known, and what differs by no more than its error") {
-  // A blow-up is one text, at an edge too; of two of different sign both are written. Shear without friction beside a
-  // blow-up keeps both limits; one not known hides no other.
+  // A function that is infinite on one side, also at an edge, has one text; infinities of different signs have two. The
+  // shear without friction beside an infinite traction keeps both limits. An unknown limit does not hide the other one.
   std::vector<std::string> rows = lines(file_text(STEADYSLIDE_TESTS "/app/results/limits.csv"));
   rows.erase(rows.begin());
   for (const std::string& row : rows) {

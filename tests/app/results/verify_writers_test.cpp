@@ -8,7 +8,7 @@ using namespace steadyslide::proofs_checks;
 
 namespace {
 
-/// One claim refuted, one undecided because a control survives.
+/// Returns a result with one claim refuted, and one undecided because a control survives.
 VerifyResult bad_result() {
   VerifyResult result;
   result.context.digits = numeric::Digits::hundred;
@@ -76,7 +76,7 @@ TEST_CASE("a statement of the paper is as good as the weakest of what says it") 
   reports.back().verdict = Verdict::refuted;
   CHECK(verdict_of(statement, reports) == Verdict::refuted);
   CHECK(statements_line(reports).empty());
-  // Of the paper's own: counted where all that says it was examined.
+  // Statements of the paper are counted only if all their claims were examined.
   const auto refuted = [](std::span<const Report> some) { return statement_counts(some).back(); };
   reports.push_back(reported("eq-01-surface-displacement", Verdict::refuted));
   CHECK(refuted(reports) == std::pair<std::string_view, std::size_t>("refuted", 1));
@@ -102,7 +102,7 @@ TEST_CASE("notes of other claims are counted, not shown") {
   CHECK(result.notes.size() == 1);
   CHECK_FALSE(holds(written(Format::text, result), "left out"));
 
-  // One of a claim that was not asked for, and one that belongs to no claim.
+  // One note belongs to a claim that was not requested, one belongs to no claim.
   result.notes.push_back({"note-2", "(5)", "x", "y", "refuted", "print", "c-claim"});
   result.notes.push_back({"note-3", "theorem 3", "x", "y", "leaves x", "extraction", ""});
   leave_out_other_notes(result);
@@ -112,7 +112,7 @@ TEST_CASE("notes of other claims are counted, not shown") {
   for (const Format format : {Format::text, Format::markdown}) {
     const std::string text = written(format, result);
     check_holds(text, {"\n2 reading notes left out: ", "note-1", "\n1 reading note"});
-    // Beside both numbers.
+    // It stands beside both numbers.
     std::size_t told = 0;
     for (const std::string& line : lines(text))
       told += holds(line, "reading note") && holds(line, "The printed page was not seen.");

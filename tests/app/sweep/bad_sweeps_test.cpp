@@ -1,4 +1,4 @@
-// Bad sweeps: the whole message and the exit code of each, and nothing written.
+// Bad sweeps: the whole message and the exit code of each. Nothing is written.
 
 #include "app/changed_files.hpp"
 #include "app/sweep/sweep_folder.hpp"

@@ -1,4 +1,4 @@
-// Tasks in threads: each made once, taken in order, whatever ends first.
+// Tasks in threads: each is made once and taken in order, whatever order they end in.
 
 #include "app/sweep/ordered_tasks.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-// The fixture of sweeps: a folder with base.toml, two coatings under a flat punch, and a sweep of it.
+// The fixture of sweeps: a folder with base.toml, which has two coatings under a flat punch, and a sweep of it.
 
 #include "app/command_line.hpp"
 
@@ -10,12 +10,12 @@ inline const std::string sweep_base =
     "profile = 0\n";
 
 struct SweepFolder : TemporaryFolder {
-  /// `rest` of sweep.toml, below the problem's name.
+  /// `rest`: the text of sweep.toml below the problem's name.
   explicit SweepFolder(const std::string& rest) {
     write("base.toml", sweep_base);
     write("sweep.toml", "problem = \"base.toml\"\n" + rest);
   }
-  /// `steadyslide sweep sweep.toml ARGUMENTS`
+  /// Runs `steadyslide sweep sweep.toml ARGUMENTS`.
   Finished sweep(const Arguments& arguments = {}) const {
     return run_program(joined({"sweep", "sweep.toml"}, arguments), path());
   }

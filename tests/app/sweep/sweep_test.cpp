@@ -1,4 +1,4 @@
-// steadyslide sweep, run as a user does: rows against single solves, their order, workers, interruptions.
+// steadyslide sweep, run as a user does: rows compared with single solves, their order, workers, interruptions.
 
 #include <sys/stat.h>
 #include <csignal>
@@ -15,7 +15,7 @@ std::vector<std::vector<std::string>> table_of(const std::string& csv) {
   return rows;
 }
 
-/// The first cells of each row, after the names.
+/// Returns the first cells of each row, after the names.
 std::string firsts(const std::string& csv, std::size_t count) {
   std::string result;
   for (const auto& row : table_of(csv)) {
@@ -25,7 +25,7 @@ std::string firsts(const std::string& csv, std::size_t count) {
   return result;
 }
 
-/// More than a second's work for one thread.
+/// It works for more than a second in one thread.
 const std::string long_sweep =
     "[vary]\n\"friction.values[0]\" = \"0.01:0.8:0.01\"\n\"friction.values[1]\" = \"0.01:0.8:0.01\"\n"
     "[output]\ncolumns = [\"effective_friction\", \"load_share[0]\"]\n";
@@ -157,7 +157,7 @@ TEST_CASE("sweep: random values are those of another implementation") {
   const SweepFolder folder(
       "[vary]\n\"friction.jumps[0]\" = { random = 50, from = \"-0.9\", to = \"9/10\", seed = 1 }\n"
       "load = { random = 2, from = 1, to = 2, seed = 18446744073709551615 }\n");
-  // TOML's integers end at 2^63-1: a string goes on.
+  // TOML's integers end at 2^63-1. A larger seed is written as a string.
   folder.write("sweep.toml", replaced(folder.read("sweep.toml"), "18446744073709551615", "\"18446744073709551615\""));
   const auto table = table_of(out_of(folder.sweep()));
   const auto expected = [&](const Arguments& arguments) {
@@ -201,7 +201,7 @@ TEST_CASE("sweep: killed, resumed, the same to the byte") {
     CHECK(lines(rows).size() > 10);
     CHECK(lines(rows).size() < 6000);
     CHECK(whole.starts_with(rows));
-    // A last line that is not whole.
+    // The last line is incomplete.
     if (signal == SIGKILL) std::ofstream(folder.path() / "out.part", std::ios::app) << "0.79,0.5";
     CHECK(out_of(folder.sweep({"--resume", "-o", "out"})) == "");
     CHECK(folder.read("out") == whole);
@@ -212,7 +212,7 @@ TEST_CASE("sweep: killed, resumed, the same to the byte") {
 
 TEST_CASE("sweep: rows of before are neither lost nor taken for others") {
   const SweepFolder folder("[vary]\nload = [1, 2]\nfriction.jumps = [[0], [2]]\n");
-  CHECK(folder.sweep({"-o", "out", "--resume"}).code == 1);  // nothing to go on with: from the beginning
+  CHECK(folder.sweep({"-o", "out", "--resume"}).code == 1);  // there is nothing to resume: it starts from the beginning
   const std::string whole = folder.read("out");
   const auto refused = [&](const Arguments& arguments, const std::string& message, int code = 2) {
     check_refused(folder.sweep(arguments), message, code);

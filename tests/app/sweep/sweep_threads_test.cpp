@@ -1,5 +1,5 @@
-// Four threads make rows of one table, with numbers of both kinds: each is the row that one thread makes. That no memory
-// is shared unguarded is for the thread sanitizer to see (preset tsan).
+// Four threads make rows of one table, with numbers of both kinds. Each row equals the row that one thread makes. The
+// thread sanitizer checks for data races (preset tsan).
 
 #include <thread>
 

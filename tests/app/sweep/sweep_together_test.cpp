@@ -26,7 +26,7 @@ TEST_CASE("mpirun steadyslide-sweep: the same table from any number of processes
   CHECK(folder.read("out") == one);
   std::filesystem::remove(folder.path() / "out");
   folder.write("long.toml", "problem = \"base.toml\"\n[vary]\nload = \"1:3000:1\"\n");
-  // What is left of a sweep that one process has begun, and that mpirun ends.
+  // mpirun ends this sweep of one process; the next run finds its rows.
   const Finished killed =
       run_and_interrupt({"sweep", "long.toml", "-o", "out"}, folder, SIGKILL, std::chrono::milliseconds(100));
   REQUIRE(killed.code == 128 + SIGKILL);

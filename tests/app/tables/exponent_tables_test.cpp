@@ -1,5 +1,5 @@
-// The section "Exponents in numbers" of docs/theory.md is computed, and what is computed is what the formulas say, evaluated
-// here with 50 digits from the printed data alone.
+// The section "Exponents in numbers" of docs/theory.md is computed. Its numbers agree with the formulas, evaluated here
+// with 50 digits from the printed data only.
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <regex>
@@ -17,7 +17,7 @@ using Row = std::vector<std::string>;
 
 Float50 angle(const Float50& s) { return atan(s) / boost::math::constants::pi<Float50>(); }
 
-/// Six digits, rounded to nearest.
+/// Compares with the value rounded to six digits.
 bool is(const std::string& text, const Float50& value) {
   if (value == 0) return text == "0";
   const Float50 unit = pow(Float50(10), floor(log10(abs(value))) - 5);
@@ -115,7 +115,7 @@ TEST_CASE(
     CHECK(row[9] == word(beta));
     CHECK(row[11] == word(-beta));
     if (gamma < 0) ++negative;
-    // The control: with the bodies exchanged, or without the factor 1/2, it is another number.
+    // The control: with the bodies exchanged, or without the factor 1/2, the number differs.
     if (row[1] != "rigid" && gamma != 0) {
       CHECK_FALSE(is(row[3], dundurs(material(row[1]), body).beta));
       CHECK_FALSE(is(row[3], 2 * gamma));

@@ -1,4 +1,4 @@
-// Bounds for pressures on cells beside the Riemann-Hilbert solution, which knows no cells.
+// Bounds for pressures on cells, compared with the Riemann-Hilbert solution, which uses no cells.
 
 #include "enclosure/cells/cell_bound.hpp"
 #include "enclosure/cells/load_bounds.hpp"
@@ -24,7 +24,7 @@ std::vector<double> touching(const ContactProblem& problem, std::size_t cells) {
   return std::dynamic_pointer_cast<const VariationalSolution>(attempt.solution)->touching_pressures();
 }
 
-/// Do the enclosed numbers contain those of the Riemann-Hilbert solution? Its own errors are far below.
+/// Checks that the enclosed numbers contain those of the Riemann-Hilbert solution. Its own errors are far smaller.
 void contains_the_solution(const ContactProblem& problem, const CellBound& bound) {
   REQUIRE_MESSAGE(bound.proved, bound.reason);
   const Attempt<double> exact = riemann_hilbert<double>(problem);
@@ -48,7 +48,7 @@ std::vector<double> scaled(std::vector<double> pressures, double factor) {
   return pressures;
 }
 
-/// 1 % more on some cells in contact, 1 % less on others, with the load kept.
+/// Returns pressures that are 1 % larger on some cells in contact and 1 % smaller on others, under the same load.
 std::vector<double> perturbed(std::vector<double> p) {
   const auto largest = static_cast<std::size_t>(std::max_element(p.begin(), p.end()) - p.begin());
   const double by = p[largest] / 100;
@@ -68,7 +68,7 @@ TEST_CASE("shares of a parabola over a rising jump are enclosed, and the closer 
     CHECK(bound.cells == cells);
     CHECK(error(bound) < last / 2.5);
     CHECK(bound.energy.to_double() < last_energy / 8);
-    // The search has found the lowest gap, and the numbers are no wider than they must be.
+    // The search finds the lowest gap, and the enclosures are no wider than necessary.
     CHECK(bound.sharpness.to_double() > 0.95 * bound.energy.to_double());
     CHECK(bound.sharpness <= bound.energy);
     last = error(bound);
@@ -138,7 +138,7 @@ TEST_CASE("any pressures have a bound that holds; worse pressures have a larger 
   const CellBound worst = bound_cells(problem, std::vector<double>(512, 0.5));
   contains_the_solution(problem, worst);
   CHECK(worst.energy.to_double() > 100 * best.energy.to_double());
-  // They are taken in proportion.
+  // The pressures are scaled to the load.
   CHECK(bound_cells(problem, scaled(good, 1 + 1e-9)).energy.to_double() == doctest::Approx(best.energy.to_double()));
 }
 
@@ -153,7 +153,7 @@ TEST_CASE("a search whose budget is spent bounds nothing, and says where it was"
 
 namespace {
 
-/// H at y = i + z without friction (cell_gap.hpp), from the logarithms of all nodes.
+/// H at y = i + z without friction (cell_gap.hpp), by summing the logarithms of all nodes.
 Ball gap_by_logarithms(const ContactProblem& problem, const CellPressures& pressures, std::size_t i, double z) {
   constexpr Bits bits = 200;
   const Rational h = (problem.indenter().right() - problem.indenter().left()) / Rational(pressures.size());
@@ -174,7 +174,8 @@ Ball gap_by_logarithms(const ContactProblem& problem, const CellPressures& press
 
 TEST_CASE(
     "the gap is no further from its polynomial within a cell than distant nodes may take it, and the lowest is below it") {
-  // Pressures that fall far to the left of cell 5 and rise far to the right of it, and a profile lowest within that cell.
+  // Pressures that fall far to the left of cell 5 and rise far to the right of it. The profile is lowest within that
+  // cell.
   const CellPressures pressures(std::vector<double>{1, 1, 0, 0, 0, 0, 0, 0, 0, 1, 1});
   const NearLogarithms e(128);
   for (const double lowest_at : {0.146, 0.854}) {
@@ -192,7 +193,7 @@ TEST_CASE(
       lowest = std::min(lowest, exact.to_double());
     }
     CHECK(furthest > 0.05);
-    // A mean as low as the least value: halved until nothing but the rest is left.
+    // If the mean is as low as the least value, the cell is halved until only the remainder is left.
     const Ball at = part.value(lowest_at, e);
     WorkBudget work;
     const LowestGap found = lowest_gap(gap, at, at, work);
@@ -221,7 +222,7 @@ TEST_CASE("the largest gap is one above the lowest that there is, not above the 
         }
       }
     }
-    // The least gap of all is no higher than any that is met.
+    // The least gap is no higher than any gap at the tested places.
     CHECK(bound.largest_gap >= (*most - *lowest).lower());
     tighter += bound.largest_gap < (*most - *lowest) * Ball(1.02_r, 64) ? 1 : 0;
   }
@@ -266,7 +267,7 @@ TEST_CASE("control: a gap looked at in nodes or middles alone would give too sma
     }
     const double claimed = mean.to_double() - lowest;
     const CellBound bound = bound_cells(problem, p);
-    // No bound for these pressures can be below that: the gap is negative somewhere between.
+    // No bound for these pressures can be smaller: the gap is negative somewhere between.
     CHECK(claimed < 0.99 * bound.sharpness.to_double());
   }
 }
@@ -309,7 +310,7 @@ TEST_CASE("the gap within cells is that of the logarithm's integrals, and its me
   for (std::size_t i = 0; i < n; ++i) {
     for (const GapPart& part : gap.parts(i)) {
       for (const double z : {part.from, (3 * part.from + part.to) / 4, (part.from + part.to) / 2, part.to}) {
-        if (std::abs(z - 0.78) < 0.01) continue;  // the profile's step
+        if (std::abs(z - 0.78) < 0.01) continue;  // the step of the profile
         const double y = static_cast<double>(i) + z;
         const bool at_break = std::abs(y - 1.111 * n / 2) < 1e-3;
         if (at_break) continue;
@@ -318,7 +319,7 @@ TEST_CASE("the gap within cells is that of the logarithm's integrals, and its me
       }
     }
   }
-  CHECK(furthest < 2e-4);  // of the rule for int s p
+  CHECK(furthest < 2e-4);  // error of the rule for int s p
 
   const variational::DiscreteProblem discrete(problem, variational::CellMesh(problem, n));
   variational::DiscreteState state;
@@ -328,7 +329,7 @@ TEST_CASE("the gap within cells is that of the logarithm's integrals, and its me
     CHECK((gap.mean(i) - gap.mean(0)).to_double() == doctest::Approx(means[i] - means[0]).epsilon(1e-11).scale(1));
   }
 
-  // And the lowest of all is below it at many places, but not by more than its sharpness.
+  // The lower bound is below the gap at many places, but not by more than its sharpness.
   Ball mean(0, 128);
   for (std::size_t i = 0; i < n; ++i) mean += gap.mean(i) * Ball::exactly(p[i] / sum, 128);
   WorkBudget work;
@@ -344,7 +345,7 @@ TEST_CASE("what is said of the load left of a jump holds for the energy of any t
   REQUIRE(rc::check([] {
     constexpr int n = 40;
     const std::vector<Rational> jumps{Rational(uniform(-90, -1)) / 100, Rational(uniform(1, 90)) / 100};
-    // Up to steep rises, where the bound by jumps is attained.
+    // Up to steep rises, for which the bound by jumps is attained.
     const double steepest = std::pow(10, uniform(0, 6));
     const Rational low = Rational(uniform(0, 10)) / 10;
     const Rational middle = low + Rational(uniform(0, 10)) / 20 * Rational(steepest);
@@ -361,7 +362,7 @@ TEST_CASE("what is said of the load left of a jump holds for the energy of any t
     };
     const std::vector<double> one = random_pressures(), two = random_pressures();
     const CellPressures a(one), b(two);
-    // d B d by Galerkin's operator, which has s where the cells have it.
+    // d B d by Galerkin's operator, with the same s as on the cells.
     const variational::DiscreteProblem discrete(problem, variational::CellMesh(problem, n));
     std::vector<double> d(n), image(n);
     for (std::size_t i = 0; i < n; ++i) {
@@ -399,7 +400,7 @@ TEST_CASE("the charge of two plates all but attains the bound by capacity") {
     total += charge;
   }
   std::vector<double> before(n), d(n), image(n);
-  constexpr double moved = 0.1;  // from the right plate to the left one
+  constexpr double moved = 0.1;  // moved from the right plate to the left one
   for (std::size_t i = 0; i < n; ++i) {
     before[i] = (left[i] + right[i]) / 2;
     d[i] = moved * (left[i] - right[i]) / total * n;

@@ -1,4 +1,4 @@
-// Bounds on a panel's ellipse, compared with values at both of its ends; and a power beside its point.
+// Bounds on a panel's ellipse, compared with values at both of its ends; and a power near its singular point.
 
 #include "enclosure/contact/contact_panel.hpp"
 
@@ -28,7 +28,7 @@ TEST_CASE("a panel's bounds hold at both ends of its ellipses: products of power
           for (const Ball& x : {start - reach, start + part.length + reach}) {
             CHECK(abs(x) <= panel.largest({Ball(0), Ball(1)}, ellipse));
             CHECK(power(x, 2) <= panel.largest({Ball(0), Ball(0), Ball(1)}, ellipse));
-            // Nor is the bound of x that at the panel itself.
+            // The bound of x on the ellipse is larger than that on the panel itself.
             largest += abs(x) > max(abs(start), abs(start + part.length)) ? 1 : 0;
             Ball product(1, panel_bits);
             bool inside = true;
@@ -62,7 +62,7 @@ TEST_CASE("Cauchy's integral of a power beside its point, however small the powe
       const Ball integral = enclosed_integral(integrand, 1, 2, Route::panels, rules).value;
       CHECK(whole.overlaps(integral));
       CHECK(whole.radius() < abs(integral) * steadyslide::enclosure::power(Ball(10, 64), -38));
-      // Over an interval of distances it is as wide as the integral is there, not 1/a times as wide.
+      // Over an interval of distances the enclosure is as wide as the integral there, not 1/a times as wide.
       const Ball wide = Ball::hull(d / Ball(2), d);
       const Ball range = at_c.factor() * at_c.singular_part(wide, 0) + at_c.analytic_part(wide);
       if (wide.upper() <= length / Ball(2)) {

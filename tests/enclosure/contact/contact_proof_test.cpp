@@ -1,4 +1,4 @@
-// Contact solutions proved, and wrong ones refused, from what the Riemann-Hilbert solver hands over.
+// Proofs of contact solutions, and refusals of wrong ones, starting from the result of the Riemann-Hilbert solver.
 
 #include <set>
 
@@ -15,17 +15,17 @@ namespace {
 using namespace steadyslide::enclosure;
 using Kind = ContactTopology::Kind;
 
-/// psi = -|x|/5 on [-1, 1], nu = 0.2, f = 0.1 | 0.5: a notch whose corner lies where friction rises.
+/// psi = -|x|/5 on [-1, 1], nu = 0.2, f = 0.1 | 0.5: a notch whose corner is where friction rises.
 ContactProblem notch(const Rational& load) {
   return {Elasticity(Solid(0.2_r, 1)), FrictionProfile({0.1_r, 0.5_r}, {0}), roof(0.2_r, -0.2_r), load};
 }
-/// From it on there is full contact: the traction's power at the corner has the amplitude 0. By two unrelated
-/// computations; the compliance of these data is 1.92.
+/// From this load on there is full contact: the amplitude of the traction's power at the corner is 0. Found by two
+/// independent computations; the compliance of these data is 1.92.
 const Rational full_contact_from = 8.308222888593932767_r / 1.92_r;
 
 const ApproximateContact everywhere{{{-1}, {1}}};
 
-/// Do the two agree within what double knows?
+/// Checks that the two agree within the error of double.
 void agrees(const Ball& enclosed, const Estimate<double>& estimate, double scale = 0) {
   REQUIRE(enclosed.is_finite());
   CHECK(enclosed.to_double() ==
@@ -38,7 +38,7 @@ void agrees_in_the_limit(const Ball& enclosed, const Estimate<double>& estimate,
   CHECK((enclosed.to_double() > 0) == (estimate.value > 0));
 }
 
-/// Tractions, slopes and gaps inside the support, beside it and at places of the data.
+/// Compares tractions, slopes and gaps inside the support, beside it and at places of the data.
 void agrees_at_places(const ContactProblem& problem, const EnclosedSolution& enclosed,
                       const ContactSolution<double>& solution) {
   const auto found = solution.contact();
@@ -62,7 +62,7 @@ void agrees_at_places(const ContactProblem& problem, const EnclosedSolution& enc
   }
 }
 
-/// The proof, and its numbers beside those of double.
+/// Returns the proof, and compares its numbers with those in double.
 ContactProof proved_beside(const ContactProblem& problem, const ContactSolution<double>& solution, int digits) {
   const ContactProof proof = prove_contact(problem, solution.approximate_contact(), digits);
   if (!proof.proved) return proof;
@@ -194,7 +194,7 @@ TEST_CASE("a proof ends where its budget is spent, and says where") {
     reasons.insert(proof.reason);
   }
   CHECK(reasons.size() > 1);
-  // In the signs, too: p = (1 + pi a (2 x^2 - 1))/(pi sqrt(1 - x^2)) is hardly positive at 0.
+  // The signs are also close: p = (1 + pi a (2 x^2 - 1))/(pi sqrt(1 - x^2)) is only just positive at 0.
   const ContactProblem hollow = reduced({0}, {}, one_piece(-1, 1, {0, 0, -0.318309567_r}), 1);
   WorkBudget room;
   CHECK(prove_contact(hollow, everywhere, 16, room).proved);
@@ -206,7 +206,7 @@ TEST_CASE("a proof ends where its budget is spent, and says where") {
 }
 
 TEST_CASE("the many panels beside a very short piece of contact are counted in the budget") {
-  // The solver fails here: a contact that ends 1e-170 beyond a notch.
+  // The solver fails for this contact, which ends 1e-170 beyond a notch.
   const ContactProblem problem = random_contact(21060008, ContactFamily::notches);
   const ApproximateContact contact = riemann_hilbert<double>(problem).solution->approximate_contact();
   WorkBudget work(WorkBudget::usual / 50);
@@ -225,7 +225,7 @@ TEST_CASE("slow: twenty bowls under two frictions are proved with 50 digits" * d
                                Indenter(-1, bowls), 0.001_r);
   const auto solution = riemann_hilbert<Real50>(problem).solution;
   REQUIRE(solution->contact().size() == 20);
-  // It takes 105 million units.
+  // The proof takes 105 million units.
   WorkBudget work(150'000'000);
   const ContactProof proof = prove_contact(problem, solution->approximate_contact(), 50, work);
   CHECK_MESSAGE(proof.proved, proof.reason);
@@ -236,7 +236,7 @@ TEST_CASE("a gap that almost closes is decided with little work, where it is low
   const Indenter bowls(-1, {{0.5_r, Polynomial({0, 0, 1})}, {2, Polynomial({1.6_r, -2.4_r, 1})}});
   const Indenter foot(-1, {{0, Polynomial()}, {1, Polynomial({0.3_r})}});
   const Elasticity body(Solid(0.2_r, 1));
-  // Cells in which the range of the slope is looked at instead of the change take more work.
+  // The budget is too small if cells use the range of the slope instead of its change.
   for (const auto& [problem, enough] :
        {std::pair(reduced({0.3_r}, {}, bowls, 0.188034223129_r), 200'000),
         {reduced({0.3_r}, {}, bowls, 0.188034223129743829_r), 200'000},
@@ -257,7 +257,8 @@ TEST_CASE("a gap that grows from the contact's end on is not positive beyond a s
   const ContactProblem whole = reduced({0.1_r, 0.3_r}, {0}, profile(0), 0.2_r);
   const auto solution = riemann_hilbert<double>(whole).solution;
   REQUIRE(solution);
-  // A step that is a little larger than the gap, which grows on beyond it: the surfaces penetrate for a short stretch.
+  // A step slightly larger than the gap, and a profile that rises again beyond it: the surfaces penetrate on a short
+  // stretch.
   const Rational gap(solution->at(0.5_r).gap.value().value);
   for (const auto& [height, proved] :
        {std::pair(0_r, true), {5_r, true}, {-5_r, false}, {-gap * 0.98_r, true}, {-gap * 1.02_r, false}}) {
@@ -274,7 +275,8 @@ TEST_CASE("a gap that grows from the contact's end on is not positive beyond a s
 }
 
 TEST_CASE("no contact over a step of the profile is proved") {
-  // Flat but for a step beside which friction jumps: slopes and tractions of full contact do not show it.
+  // A flat profile with a step, beside which friction jumps. The slopes and tractions of full contact do not show the
+  // step.
   const auto punch = [](const Rational& step) {
     const Indenter indenter(-1, {{0.25_r, Polynomial({0})}, {1, Polynomial({step})}});
     return reduced({0.1_r, 0.3_r}, {0.2500001_r}, indenter, 1);
@@ -300,7 +302,7 @@ TEST_CASE("closed forms are proved: punches with jumps, parabolas over jumps") {
 
 namespace {
 
-/// Of the random problems from number `first` to before `last`: those solved in double are proved, but few.
+/// Random problems from `first` to before `last`: all of those solved in double are proved, except a few.
 void proves_random_problems(int first, int last) {
   int solved = 0, proved = 0;
   for (int i = first; i < last; ++i) {
@@ -324,7 +326,7 @@ TEST_CASE("random problems that the solver solves are proved, and their numbers 
   proves_random_problems(0, 8);
 }
 
-// A thousand, in parts that run beside each other.
+// A thousand problems, in parts that run in parallel.
 TEST_CASE("slow: random problems 0 to 249" * doctest::skip()) { proves_random_problems(0, 250); }
 TEST_CASE("slow: random problems 250 to 499" * doctest::skip()) { proves_random_problems(250, 500); }
 TEST_CASE("slow: random problems 500 to 749" * doctest::skip()) { proves_random_problems(500, 750); }
@@ -336,7 +338,7 @@ void refuses_perturbed_boxes(int perturbations) {
   int tried = 0;
   for (int i = 0; tried < perturbations; ++i) {
     const ContactProblem problem = random_contact(first_listed_seed + static_cast<std::uint64_t>(i));
-    if (problem.indenter().pieces().size() > 1) continue;  // milliseconds each
+    if (problem.indenter().pieces().size() > 1) continue;  // these take milliseconds each
     const auto solution = riemann_hilbert<double>(problem).solution;
     if (!solution || !solution->failed_condition().empty()) continue;
     const ContactProof proof = prove_contact(problem, solution->approximate_contact(), 50);
@@ -347,14 +349,14 @@ void refuses_perturbed_boxes(int perturbations) {
       ++tried;
       CHECK_FALSE(prove_box(proof.problem, box, bits).proved);
     };
-    // The box itself, a little wider, is proved: what refuses the others is not the lack of a Newton step.
+    // The box itself, slightly widened, is proved: the others are not refused for lack of a Newton step.
     ContactBox wider = proof.box;
     const auto widen = [&](Ball& x) { x = Ball::around(x, power(Ball(10, bits), -50)); };
     for (Ball& x : wider.log_offsets) widen(x);
     for (Ball& x : wider.q) widen(x);
     if (problem.load_at()) widen(wider.tilt);
     CHECK(prove_box(proof.problem, wider, bits).proved);
-    // An end of the box on the zero: Krawczyk's image reaches beyond it.
+    // One end of the box is exactly at the zero: Krawczyk's image reaches beyond it.
     ContactBox halved = wider;
     halved.log_offsets[0] += wider.log_offsets[0].radius();
     refused(halved);
@@ -371,7 +373,7 @@ void refuses_perturbed_boxes(int perturbations) {
       if (point.kind == Kind::interior) continue;
       point.vanishes = !point.vanishes;
       if (!point.beside) refused(other);
-      // A component less.
+      // One component less.
       if (point.kind == Kind::begins && wider.topology.movable().size() > 2 && point.beside &&
           wider.topology.points[j + 1].beside) {
         ContactBox dropped = wider;

@@ -1,5 +1,5 @@
 #pragma once
-// Contact on [-1, 1] under a notch, but for a gap around its corner, over a jump of friction at 0.
+// Contact on [-1, 1] under a notch, except for a gap around its corner, over a friction jump at 0.
 
 #include "enclosure/contact/contact_panel.hpp"
 #include "support/problems.hpp"

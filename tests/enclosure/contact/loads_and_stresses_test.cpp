@@ -1,4 +1,5 @@
-// Loads on a mesh and stresses below the surface, as balls: beside the numeric layer's, and by laws of equilibrium.
+// Nodal loads on a mesh and stresses below the surface as balls, compared with the numeric layer and with laws of
+// equilibrium.
 
 #include "enclosure/contact/interior_stress.hpp"
 #include "enclosure/contact/nodal_forces.hpp"
@@ -27,7 +28,7 @@ Solved solved(const ContactProblem& problem) {
   return {problem, solution, EnclosedSolution(problem, proof)};
 }
 
-/// A punch over two jumps; a wedge on a jump, in full contact; one beside a jump; a parabola over a jump.
+/// A punch over two jumps; a wedge on a jump, in full contact; a wedge beside a jump; a parabola over a jump.
 std::vector<ContactProblem> problems() {
   const auto wedge = [](const Rational& corner) {
     return Indenter(-1, {{corner, Polynomial({0, -0.1_r})}, {1, Polynomial({-0.2_r * corner, 0.1_r})}});
@@ -37,7 +38,7 @@ std::vector<ContactProblem> problems() {
           reduced({0.1_r, 0.6_r}, {0}, one_piece(-1, 1, {0, 0, 2.5_r}), 1)};
 }
 
-/// Within 1e-38 of what 50 digits say.
+/// Checks agreement with 50 digits to 1e-38.
 void agrees(const Ball& ball, const Real50& value) {
   REQUIRE(ball.is_finite());
   Ball said(0, 400);
@@ -73,7 +74,7 @@ TEST_CASE("nodal forces: their sum is the load, their moment the load's, on any 
     const Solved state = solved(problem);
     const auto resultants = state.enclosed.resultants();
     for (const int order : {1, 2}) {
-      // Uneven, with nodes at places of the data.
+      // An uneven mesh, with nodes at places of the data.
       const std::vector<Rational> nodes =
           order == 1 ? std::vector<Rational>{-1.5_r, -1, -0.75_r, -0.3_r, 0, 0.1_r, 0.4_r, 1, 2}
                      : std::vector<Rational>{-1, -0.65_r, -0.3_r, -0.15_r, 0, 0.2_r, 0.4_r, 0.7_r, 1};
@@ -91,14 +92,14 @@ TEST_CASE("nodal forces: their sum is the load, their moment the load's, on any 
       CHECK(normal.contains(problem.load()));
       CHECK(normal.radius() < power(Ball(10, 64), -40));
       CHECK(moment.overlaps(resultants.centre_of_pressure * Ball(problem.load(), 200)));
-      CHECK(tangential.overlaps(resultants.tangential));  // towards +x, as the indenter slides
+      CHECK(tangential.overlaps(resultants.tangential));  // towards +x, the direction of sliding
     }
   }
 }
 
 TEST_CASE("nodal forces under a frictionless flat punch are known") {
-  // t = -1/(pi sqrt(1-x^2)): one linear element takes half the load at each end; a quadratic one the second moment, 1/4 and
-  // 1/2 and 1/4.
+  // t = -1/(pi sqrt(1-x^2)): one linear element takes half the load at each end; a quadratic one has the second moment:
+  // 1/4, 1/2 and 1/4.
   const Solved state = solved(reduced({0}, {}, one_piece(-1, 1, {}), 1));
   for (const enclosure::NodalForce& force : nodal_forces(state.enclosed, {-1, 1}, 1))
     CHECK(force.normal.contains(0.5_r));
@@ -114,9 +115,9 @@ TEST_CASE("meshes that are none are refused") {
     CHECK_THROWS_AS(nodal_forces(state.enclosed, nodes, order), InvalidData);
   };
   refused({-1, 0, 0, 1}, 1);
-  refused({-1, 0, 0.5_r}, 1);      // contact beyond it
-  refused({-1, 0.1_r, 1}, 2);      // off the middle
-  refused({-1, -0.5_r, 0, 1}, 2);  // one node missing
+  refused({-1, 0, 0.5_r}, 1);      // contact reaches beyond the mesh
+  refused({-1, 0.1_r, 1}, 2);      // the node is not in the middle
+  refused({-1, -0.5_r, 0, 1}, 2);  // one midside node is missing
   refused({-1, 1}, 3);
   refused({-1}, 1);
 }

@@ -1,4 +1,4 @@
-// Panels seen from afar by their moments are the sum over their nodes.
+// The moments of distant panels agree with the sum over their nodes.
 
 #include "enclosure/contact/panel_moments.hpp"
 #include "enclosure/contact/gap_contact.hpp"

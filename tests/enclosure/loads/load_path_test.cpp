@@ -1,5 +1,5 @@
-// Contact proved for whole intervals of loads, with the events between them, beside the Riemann-Hilbert solver at single
-// loads and beside loads that are known in closed form.
+// Proofs of contact for whole intervals of loads, with the events between them. They are compared with the
+// Riemann-Hilbert solver at single loads, and with loads known in closed form.
 
 #include "enclosure/loads/load_path.hpp"
 
@@ -25,7 +25,8 @@ std::vector<LoadStretch> path(const ContactProblem& problem, const Rational& fro
 
 using Words = std::vector<std::string>;
 
-/// No holes, no overlaps, events between proved stretches alone; the words of what is not proved, in order.
+/// Checks that stretches have no holes and no overlaps, and that events lie only between proved stretches. Returns the
+/// texts of unproved stretches, in order.
 Words words_of(const std::vector<LoadStretch>& stretches, const Rational& from, const Rational& to) {
   Words result;
   REQUIRE_FALSE(stretches.empty());
@@ -57,7 +58,7 @@ std::vector<LoadStretch> events(std::vector<LoadStretch> stretches) {
   return stretches;
 }
 
-/// Is the solver's contact at this load in the box of the interval?
+/// True if the solver's contact at this load is in the box of the interval.
 bool holds_solution(const LoadInterval& interval, const ApproximateContact& contact) {
   const ReducedProblem& problem = interval.proof.problem;
   const ContactStart start(problem, contact);
@@ -69,13 +70,13 @@ bool holds_solution(const LoadInterval& interval, const ApproximateContact& cont
   return true;
 }
 
-/// A parabola of the radius 1/5 over s = 1/10, and 6/10 beyond x = c.
+/// A parabola of radius 1/5 over s = 1/10 for x < c, and 6/10 for x > c.
 ContactProblem parabola(const Rational& c, const Rational& load) {
   return reduced({0.1_r, 0.6_r}, {c}, one_piece(-2, 2, {0, 0, 2.5_r}), load);
 }
 
 /// The load at which the front end of a parabola on s = 1/10 alone is at c: a^2 = P R/(2 pi (1/4 - alpha^2)), the end
-/// at (1 - 2 alpha) a.
+/// is at (1 - 2 alpha) a.
 double load_at_jump(double c) {
   const double alpha = std::atan(0.1) / std::numbers::pi;
   const double a = c / (1 - 2 * alpha);
@@ -101,7 +102,7 @@ TEST_CASE("an interval of loads: what the solver finds at single loads lies in t
     const Rational load = 0.95_r + Rational(i, 100);
     CHECK(holds_solution(interval, *found_contact<Real50>(problem.with_load(load))));
   }
-  // At loads beyond, it does not: the box is no wider than the interval needs.
+  // At loads outside of the interval, it does not: the box is no wider than necessary.
   CHECK_FALSE(holds_solution(interval, *found_contact<Real50>(problem.with_load(0.85_r))));
   CHECK_FALSE(holds_solution(interval, *found_contact<Real50>(problem.with_load(1.15_r))));
 }
@@ -149,12 +150,12 @@ TEST_CASE("an end passes a jump at the load that is known; without a jump on its
   const LoadStretch event = events(stretches).front();
   CHECK(is_between(load_at_jump(0.2), event));
   CHECK(is_narrow(event));
-  // An interval that contains it is not proved from either side, however short.
+  // An interval that contains the event is not proved from either side, even a very short one.
   for (const Rational& load : {event.from, event.to}) {
     const ContactProblem problem = parabola(c, load);
     CHECK_FALSE(prove_loads(problem, *found_contact<Real50>(problem), event.from, event.to).proof.proved);
   }
-  // What is proved holds the solver's ends, at loads that have no part in the proof.
+  // The proved boxes contain the solver's ends, at loads that the proof does not use.
   for (const LoadStretch& s : stretches) {
     if (!s.interval) continue;
     const Rational load = (2 * s.from + s.to) / 3;
@@ -165,7 +166,7 @@ TEST_CASE("an end passes a jump at the load that is known; without a jump on its
 }
 
 TEST_CASE("loads that are not proved beside an event belong to it, where what is proved in between is shorter") {
-  // An end of contact that moves on to the rougher coating: up to the jump at x = 0 it comes ever more slowly.
+  // An end of contact passes the jump at x = 0. It approaches the jump more and more slowly.
   const ContactProblem problem(Elasticity(Solid(0.3_r, 1)), FrictionProfile({0.1_r, 0.7_r}, {0}),
                                one_piece(-2, 2, {0.25_r, 0, -0.5_r, 0, 0.25_r}), 1);
   const Rational from = 0.773_r, to = 0.7731_r;
@@ -184,7 +185,7 @@ TEST_CASE("two wells: a second zone of contact is born, and later both meet") {
     CHECK_MESSAGE(words.front().starts_with(what), words.front());
     const LoadStretch event = events(stretches).at(0);
     CHECK(is_narrow(event, 0.002_r));
-    // The solver's zones at both ends of the event.
+    // The solver's number of zones at both ends of the event.
     CHECK(found_contact<Real50>(problem.with_load(event.from))->ends.size() == ends_before);
     CHECK(found_contact<Real50>(problem.with_load(event.to))->ends.size() == ends_after);
   };
@@ -197,7 +198,7 @@ TEST_CASE("a rounded punch which may tilt comes to rest on its edges one after t
   const auto stretches = path(problem, 2, 5, 0.00001_r);
   CHECK(words_of(stretches, 2, 5) == Words{"the right end of contact reaches the support's edge at x = 1",
                                            "the left end of contact reaches the support's edge at x = -1"});
-  // The solver's contact is bounded by one edge between the two events, and by none before.
+  // The solver's contact has one edge between the two events, and none before.
   const auto edges = [&](const Rational& load) {
     const auto ends = found_contact<Real50>(problem.with_load(load))->ends;
     return std::count_if(ends.begin(), ends.end(), [](const auto& end) { return !end.vanishes; });
@@ -212,14 +213,15 @@ TEST_CASE("a rounded punch which may tilt comes to rest on its edges one after t
 
 namespace {
 
-/// By two unrelated computations: from this load on a roof of slopes 1/5 is in full contact on s = 3/80 | 3/16.
+/// Found by two independent computations: from this load on, a roof of slopes 1/5 is in full contact on s = 3/80 |
+/// 3/16.
 const Rational full_contact_load = 8.308222888593932767_r;
 
 ContactProblem notch(const Rational& load, const Rational& bend = 0, const std::optional<Rational>& load_at = {}) {
   return reduced({0.0375_r, 0.1875_r}, {0}, roof(0.2_r, -0.2_r, bend), load, load_at);
 }
 
-/// The gap closes between these loads, and at both ends of the event the solver says the same.
+/// Checks that the gap closes between these loads, and that the solver agrees at both ends of the event.
 void check_closing(const ContactProblem& problem, const Rational& from, const Rational& to,
                    const Rational& width = Rational(1, 1000000)) {
   const auto stretches = path(problem, from, to, width);
@@ -267,13 +269,14 @@ TEST_CASE("the gap of a notch closes at the load that is known") {
   check_closing(notch(1), 3, 10);
   const auto stretches = path(notch(1), 2, 9);
   CHECK(is_between(static_cast<double>(full_contact_load), events(stretches).at(0)));
-  // Below it all is one branch; by intervals, too.
+  // All loads below are one branch, also if it is proved by intervals.
   const Rational below = full_contact_load * (1 - Rational(1, 1000000000));
   CHECK(words_of(path(notch(1), 2, below), 2, below).empty());
   const auto by_intervals = path(notch(1), 2, 2.004_r, Rational(1, 1000000), true);
   CHECK(words_of(by_intervals, 2, 2.004_r).empty());
   CHECK(by_intervals.front().kind == LoadStretch::Kind::proved);
-  // A range may end within what would be the event: it is narrower then. Of the threshold's own digits nothing is said.
+  // A range may end inside the interval of the event; the event is then narrower. The threshold's own digits are not
+  // tested.
   const Rational above = full_contact_load * (1 + Rational(1, 1000000000));
   CHECK(is_narrow(events(path(notch(1), 2, above)).at(0), Rational(1, 500000000)));
   CHECK(words_of(path(notch(1), above, 9), above, 9).empty());
@@ -302,13 +305,13 @@ TEST_CASE("which gaps can but close") {
   CHECK_FALSE(closes(notch(1), {{{-1}, left}}));
   const Indenter stepped(-1, {{0, Polynomial({0, 0.2_r})}, {1, Polynomial({0.1_r, -0.2_r})}});
   CHECK_FALSE(closes(reduced({0.1_r, 0.2_r}, {0}, stepped, 1), gap));
-  // Flanks that are convex beside the wedge alone: (x/2)^3 - x/2 there, and its mirror image.
+  // Flanks that are convex only beside the wedge: (x/2)^3 - x/2, and its mirror image.
   const Indenter cubic(-1,
                        {{0, Polynomial({0, 0.5_r, 0.1_r, 0.125_r})}, {1, Polynomial({0, -0.5_r, 0.1_r, -0.125_r})}});
   CHECK(closes(reduced({0.1_r, 0.2_r}, {0}, cubic, 1), gap));
   CHECK_FALSE(closes(reduced({0.1_r, 0.2_r}, {0}, cubic, 1), {{{-1}, {0, Side::left, 0.4_r, true}, right, {1}}}));
 
-  // Full contact that does not pull where the loads begin says nothing of a gap.
+  // If full contact has no tension at the first load, it says nothing about a gap.
   const ReducedProblem problem(notch(1), {0, 2});
   const ContactBox full = ContactStart(problem, {{{-1}, {1}}}).box(64);
   JacobiRules rules(64);
@@ -330,14 +333,14 @@ TEST_CASE("slow: notches close on other coatings, with other jumps and flanks, o
   check_closing(on({0.05_r, 0.3_r}, {0}, roof(0.2_r, -0.2_r, 0.05_r)), 1, 9);
   check_closing(on({0.3_r, 0.05_r, 0.6_r, 0.7_r}, {-0.5_r, 0, 0.3_r}, roof(0.2_r, -0.2_r)), 1, 20,
                 Rational(1, 100000000));
-  // Where friction falls, or is constant, no load closes the gap.
+  // If friction falls or is constant, no load closes the gap.
   for (const ContactProblem& problem :
        {on({0.3_r, 0.1_r}, {0}, roof(0.2_r, -0.2_r)), on({0.3_r}, {}, roof(0.2_r, -0.2_r))}) {
     const auto stretches = path(problem, 1, 50);
     CHECK(words_of(stretches, 1, 50).empty());
     CHECK(stretches.size() == 1);
   }
-  // A range that begins beside the event.
+  // A range that begins close to the event.
   const Rational below = full_contact_load * (1 - Rational(1, 10000000));
   const auto stretches = path(notch(1), below, 9);
   CHECK(words_of(stretches, below, 9) == Words{"the gap closes over the wedge at x = 0"});
@@ -346,7 +349,8 @@ TEST_CASE("slow: notches close on other coatings, with other jumps and flanks, o
 
 namespace {
 
-/// Random problems from number `first` to before `last` over loads, and the solver's contact in the boxes.
+/// Proves random problems from `first` to before `last` over loads, and checks that the boxes contain the solver's
+/// contact.
 void follows_random_problems(int first, int last) {
   int solved_problems = 0;
   Rational proved = 0;

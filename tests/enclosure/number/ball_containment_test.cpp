@@ -1,6 +1,6 @@
-// Containment, as FLINT tests it: every function of Ball on random balls. The result at p bits and the one at 3p bits
-// overlap, and the value at an exact point of the operands is in both. Where operands are in the domain the result is
-// finite, so that NaN passes nothing.
+// Containment, with FLINT's way of testing: every function of Ball on random balls. The result at p bits and the one at
+// 3p bits overlap, and the value at an exact point of the operands is in both. If the operands are in the domain, the
+// result is finite; so NaN does not pass.
 
 #include <functional>
 
@@ -11,7 +11,7 @@ namespace {
 using Unary = std::function<Ball(const Ball&)>;
 using Binary = std::function<Ball(const Ball&, const Ball&)>;
 
-/// The operands have this result at exact points of theirs.
+/// Checks that the operands have this result at exact points inside them.
 void contains_value(const Ball& result, const Ball& precise, const Ball& value) {
   RC_ASSERT(result.is_finite());
   RC_ASSERT(precise.is_finite());
@@ -54,7 +54,7 @@ TEST_CASE("arithmetic contains the rational result") {
     Rational exact = 1;
     for (int k = 0; k < n; ++k) exact *= x.point;
     RC_ASSERT(power(x.ball, n).contains(exact));
-    // A power of a ball that nearly touches 0 may reach it by rounding.
+    // The power of a ball that nearly touches 0 may reach 0 by rounding.
     const Ball reciprocal = power(x.ball, -n);
     RC_ASSERT(reciprocal.is_finite() != power(x.ball, n).contains_zero());
     if (reciprocal.is_finite()) RC_ASSERT(reciprocal.contains(Rational(1 / exact)));
@@ -77,7 +77,7 @@ TEST_CASE("what a ball says of itself") {
     RC_ASSERT(Ball::around(x.ball, abs(y.ball)).contains(x.ball.midpoint()));
     RC_ASSERT(x.ball.intersection(Ball::hull(x.ball, y.ball)).contains(x.point));
     if (!x.ball.overlaps(y.ball)) RC_ASSERT(!x.ball.intersection(y.ball).is_finite());
-    // What is decided is true of every point.
+    // A decided comparison is true of every point.
     if (x.ball < y.ball) RC_ASSERT(x.point < y.point);
     if (x.ball <= y.ball) RC_ASSERT(x.point <= y.point);
     if (x.ball.is_positive()) RC_ASSERT(x.point > 0);

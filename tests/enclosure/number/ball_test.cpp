@@ -1,4 +1,4 @@
-// What is not finite, and Arb's notation.
+// Infinite balls and NaN, and Arb's notation.
 
 #include "model/invalid_data.hpp"
 #include "support/enclosure_test.hpp"

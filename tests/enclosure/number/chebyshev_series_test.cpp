@@ -1,4 +1,5 @@
-// Series of functions whose error is most of the bound, and of values that are wide; a part of a series beside the whole.
+// Series of functions whose truncation error dominates the bound, and of values that are wide; a part of a series
+// compared with the whole.
 
 #include "enclosure/number/chebyshev_series.hpp"
 
@@ -47,7 +48,7 @@ TEST_CASE("T_k of a lower degree: its range, and its values on a part to the las
       CHECK(part.at(here).radius() < power(Ball(2, bits), -96));
       CHECK(part.range().overlaps(value));
     }
-    // As narrow as the part: |T_k'| <= k^2.
+    // The range is as narrow as the part: |T_k'| <= k^2.
     CHECK(part.range().radius() < Ball(k * k, bits) / 8 * 2);
   }
 }
@@ -76,7 +77,7 @@ TEST_CASE("values known to within r: the interpolant of the worst ones lies in t
     const Ball around_zero = Ball::around(Ball(0, bits), Ball(1, bits));
     const ChebyshevSeries series = series_of(
         nodes, [&](const Ball&) { return around_zero; }, Ball(0, bits), Ball(5, bits));
-    // Signs in turn, at t = 1: sum |l_i(1)| = (1/n) sum cot((2 i + 1) pi/(4 n)).
+    // Alternating signs, at t = 1: sum |l_i(1)| = (1/n) sum cot((2 i + 1) pi/(4 n)).
     Ball largest(0, bits);
     for (int i = 0; i < n; ++i) {
       const Ball angle = Ball::pi(bits) * Ball(2 * i + 1) / Ball(4 * n);

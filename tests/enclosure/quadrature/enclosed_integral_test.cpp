@@ -1,4 +1,4 @@
-// Panels and the trapezoidal rule against closed forms, against each other, and on random integrands.
+// Panels and the trapezoidal rule, compared with closed forms and with each other, and on random integrands.
 
 #include "enclosure/quadrature/enclosed_integral.hpp"
 #include "enclosure/quadrature/graded_panels.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 constexpr Route routes[] = {Route::panels, Route::trapezoidal};
 
-/// A real number in the digits it can have.
+/// A real number with any number of bits.
 using Number = std::function<Ball(Bits)>;
 
 Ball integral(const PowerIntegrand& integrand, std::size_t first, std::size_t last, Route route, Bits bits) {
@@ -20,7 +20,7 @@ Ball integral(const PowerIntegrand& integrand, std::size_t first, std::size_t la
   return result.value;
 }
 
-/// Finite, contains the value, and proves about as many bits as it was asked for.
+/// Checks that the integral is finite, contains the value, and has about as many correct bits as requested.
 void check(const PowerIntegrand& integrand, const Ball& value, Bits bits) {
   for (const Route route : routes) {
     CAPTURE(static_cast<int>(route));
@@ -41,7 +41,7 @@ std::string refusal(const PowerIntegrand& integrand) {
   return words;
 }
 
-/// Between points that may be close, powers that are integrable, a polynomial, and a pole or none.
+/// Points that may be close, integrable powers, a polynomial, and possibly a pole.
 struct RandomIntegrand {
   std::vector<Rational> points;
   std::vector<Rational> powers;
@@ -67,7 +67,7 @@ struct RandomIntegrand {
     if (pole && std::find(points.begin(), points.end(), *pole) != points.end()) pole.reset();
   }
 
-  /// The balls, with a power's radius or none.
+  /// Returns the balls; a power may have a radius.
   PowerIntegrand at(Bits bits, const Rational& radius) const {
     PowerIntegrand result;
     result.polynomial.clear();
@@ -149,7 +149,7 @@ TEST_CASE("a published value, and other closed forms with a pole") {
 TEST_CASE("random integrals") {
   CHECK(rc::check("p and 3p bits, both routes", [] {
     const RandomIntegrand random;
-    const Bits bits = uniform(60, 80);  // fewer do not tell all points from the pole
+    const Bits bits = uniform(60, 80);  // with fewer bits some points cannot be separated from the pole
     const Ball panels = integral(random.at(bits, 0), random.first, random.last, Route::panels, bits);
     const Ball precise = integral(random.at(3 * bits, 0), random.first, random.last, Route::panels, 3 * bits);
     const Ball witness = integral(random.at(bits, 0), random.first, random.last, Route::trapezoidal, bits);
@@ -160,7 +160,7 @@ TEST_CASE("random integrals") {
   }));
   CHECK(rc::check("wide powers contain the value at a point of them", [] {
     const RandomIntegrand random;
-    const Bits bits = uniform(60, 80);  // fewer do not tell all points from the pole
+    const Bits bits = uniform(60, 80);  // with fewer bits some points cannot be separated from the pole
     const Rational radius = two_to(-uniform(15, 60));
     for (const Route route : routes) {
       const Ball wide = integral(random.at(bits, radius), random.first, random.last, route, bits);
@@ -189,7 +189,7 @@ TEST_CASE("control: panels without their remainder") {
   const Ball value = Ball::pi(bits) * sqrt(Ball(2, bits)) / power(Ball(3, bits), Ball(3_r / 4, bits));
   CHECK(!rough.integral(one, 0).overlaps(value));
   CHECK(rough.integral(one, 1).contains(value));
-  // The bound is not far from the truth.
+  // The bound is not far above the true error.
   CHECK(rough.remainder(1) < 1000 * abs(rough.integral(one, 0) - value));
 }
 

@@ -1,5 +1,5 @@
-// Bounds of quadrature errors beside errors, for integrands chosen so that one term is most of the error: a bound without
-// that term, or with a hundredth of it, is too small.
+// Bounds of quadrature errors, compared with the errors. For each integrand one term dominates the error: a bound
+// without that term, or with a hundredth of it, is too small.
 
 #include "enclosure/quadrature/jacobi_rule.hpp"
 #include "enclosure/quadrature/outside_points.hpp"
@@ -8,7 +8,7 @@
 
 namespace {
 
-/// How much int_0^2 y^left (2-y)^right dy is more than the rule's sum, and its bound of that.
+/// Returns int_0^2 y^left (2-y)^right dy minus the rule's sum, and the rule's bound of that.
 std::pair<Ball, Ball> trapezoidal_error(const Rational& left, const Rational& right, int degree, Bits bits) {
   constexpr Bits more = 256;
   const Ball l(left, more), r(right, more);
@@ -41,7 +41,7 @@ TEST_CASE("the integral of T_2n by n nodes reaches a third of the remainder's bo
 TEST_CASE("the trapezoidal rule: its error reaches a part of the bound that the strip alone makes") {
   for (const Bits bits : {4, 8, 16}) {
     CAPTURE(bits);
-    // A degree of 0: the strip's bound is most of it.
+    // The degree is 0: the strip's bound dominates.
     const auto [error, bound] = trapezoidal_error(0, 0, 0, bits);
     CHECK(abs(error) < bound);
     CHECK(abs(error) > bound / 8);
@@ -50,7 +50,7 @@ TEST_CASE("the trapezoidal rule: its error reaches a part of the bound that the 
 
 TEST_CASE("the trapezoidal rule: what is left out on either side is all but its bound") {
   for (const auto& [left, right] : {std::pair(0_r, 0_r), {-0.5_r, 0.3_r}, {1_r, -0.7_r}}) {
-    // Of a degree that the integrand does not have: the strip's bound is nothing.
+    // The integrand does not have this degree: the strip's bound is nearly zero.
     const auto [error, bound] = trapezoidal_error(left, right, 60, 30);
     CHECK_FALSE(error > bound);
     CHECK(error > bound * Ball(0.99_r, 64));

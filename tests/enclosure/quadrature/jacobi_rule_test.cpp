@@ -1,4 +1,4 @@
-// Gauss-Jacobi rules against moments in Gamma functions.
+// Gauss-Jacobi rules, compared with moments in Gamma functions.
 
 #include "enclosure/quadrature/jacobi_rule.hpp"
 #include "support/enclosure_test.hpp"
@@ -17,12 +17,12 @@ Ball sum_of_powers(const JacobiRule& rule, int k) {
   return sum;
 }
 
-/// The rule's integral of (1+x)^k, which is at most 2^k on [-1, 1].
+/// Returns the rule's integral of (1+x)^k, which is at most 2^k on [-1, 1].
 Ball integral_of_power(const JacobiRule& rule, int k) {
   return Ball::plus_or_minus(sum_of_powers(rule, k), rule.remainder(power(Ball(2, 64), k)));
 }
 
-/// From -1 + 1e-12 to 3.
+/// Returns a power from -1 + 1e-12 to 3.
 Rational random_power() {
   switch (uniform(0, 3)) {
     case 0: return Rational(two_to(-uniform(0, 40)) - 1);
@@ -69,7 +69,7 @@ TEST_CASE("random rules") {
   CHECK(rc::check("moments", [] {
     const Bits bits = some_bits();
     const int n = uniform(1, 12);
-    // With few bits a power near -1 would reach it.
+    // With few bits a power near -1 would include -1.
     const Ball l(random_power(), 900), r(random_power(), 900);
     const JacobiRule rule(n, l, r, bits);
     const int k = uniform(0, 2 * n - 1);
@@ -99,7 +99,8 @@ TEST_CASE("random rules") {
 }
 
 TEST_CASE("a start that is the node itself") {
-  // The one node is (left - right)/(left + right + 2) = 1/2, and nothing but rounding says how far the start is from it.
+  // The only node is (left - right)/(left + right + 2) = 1/2. The bound of its distance from the start comes from
+  // rounding alone.
   for (const char* scale : {"0.51", "0.3", "1.7", "12.34567"}) {
     for (const Bits bits : {40, 60, 61, 80, 180, 400}) {
       const Ball once(parse_rational(scale), 4096);
@@ -120,7 +121,7 @@ TEST_CASE("Chebyshev's nodes, and Legendre's beside the recurrence's") {
     CHECK(chebyshev.from_right[static_cast<std::size_t>(i)].overlaps(1 - x));
     CHECK(chebyshev.weights[static_cast<std::size_t>(i)].overlaps(Ball::pi(2 * bits) / n));
   }
-  // Powers of 2^-200 make the recurrence do what Arb does for 0: nodes agree to about as many bits.
+  // Powers of 2^-200 use the general recurrence; Arb's rule is for powers of 0. The nodes agree to about as many bits.
   const Ball tiny(two_to(-200), 512);
   const JacobiRule legendre(n, 0, 0, bits), neighbour(n, tiny, tiny, bits);
   for (std::size_t i = 0; i < legendre.size(); ++i) {

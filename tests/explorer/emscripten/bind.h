@@ -1,6 +1,6 @@
 #pragma once
-// As much of emscripten's header of this name as explorer/bindings.cpp takes, so that the ordinary compiler reads it. It
-// computes nothing.
+// The part of emscripten's header of this name that explorer/bindings.cpp uses, so that the ordinary compiler can read
+// it. It computes nothing.
 
 #include <cstddef>
 #include <type_traits>

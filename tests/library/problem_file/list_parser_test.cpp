@@ -22,7 +22,7 @@ TEST_CASE("lists are exact and inclusive") {
 }
 
 TEST_CASE("bad lists say what is wrong") {
-  // Lists that are none, and the complaint of each; at most 100 entries.
+  // Invalid lists with their messages; at most 100 entries are allowed.
   for (const auto& [text, message] : rows_of(STEADYSLIDE_TESTS "/library/problem_file/list_errors.json"))
     CHECK(list_error(text) == message);
   CHECK(list_error("") == "not a number; a number is written like 2, -0.25, 1e-3 or 1/3; ''");

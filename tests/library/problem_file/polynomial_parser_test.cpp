@@ -20,7 +20,7 @@ std::string polynomial_error(std::string_view text) {
 }  // namespace
 
 TEST_CASE("the grammar") {
-  // Polynomials as they may be written, and their coefficients of 1, x, x^2, ...
+  // Allowed forms of polynomials, and their coefficients of 1, x, x^2, ...
   for (const auto& [text, coefficients] : rows_of(STEADYSLIDE_TESTS "/library/problem_file/polynomials.json")) {
     std::vector<Rational> expected;
     for (const std::string& c : words(coefficients)) expected.emplace_back(c);

@@ -16,7 +16,7 @@ bool same(const ProfileTrace& a, const ProfileTrace& b) {
 
 const std::string plain_trace = "-1,0.5\n0,0\n2,1/3\n";
 
-/// Of `plain_trace`, cut off at `right`.
+/// `plain_trace`, cut off at `right`.
 void check_joined_at_0(const ProfileTrace& trace, const Rational& right) {
   CHECK(trace.points == 3);
   CHECK(trace.range.left == -1);
@@ -44,7 +44,7 @@ TEST_CASE("the same trace, written in other ways") {
         "position height quality\n-1 0.5\n0 0\n2 1/3\n", "\"x\",\"psi\"\n-1,0.5\n0,0\n2,1/3\n"}) {
     CHECK_MESSAGE(same(read_trace(text), trace), text);
   }
-  // What the comparison tells apart: a value, a place, a point more.
+  // Each of these differs: in a value, in a place, by one more point.
   for (const char* text : {"-1,0.5\n0,0\n2,1/4\n", "-1,0.5\n0.5,0\n2,1/3\n", "-1,0.5\n0,0\n2,1/3\n3,0\n"}) {
     CHECK_FALSE(same(read_trace(text), trace));
   }
@@ -74,7 +74,7 @@ TEST_CASE("bad traces: the whole message") {
   for (const auto& [text, message] : traces) {
     CHECK_THROWS_WITH_AS_MESSAGE(read_trace(text), ("t.csv:" + message).c_str(), InvalidFile, text);
   }
-  // As long as it may be.
+  // A line of the largest allowed length.
   CHECK_NOTHROW(read_trace("0,1\n" + std::string(1000, ' ') + "\n1,2\n"));
   CHECK_NOTHROW(read_trace("0,1\n1," + long_number.substr(1) + "\n"));
   CHECK_NOTHROW(read_trace("0,1\n1e400,1\n"));
@@ -92,7 +92,7 @@ std::string text_of(const std::vector<Point>& points) {
   return text;
 }
 
-/// Heights at the points themselves, from the pieces beside them.
+/// Returns the heights at the points, from the pieces beside them.
 std::vector<Rational> heights_of(const ProfileTrace& trace, const std::vector<Point>& points) {
   std::vector<Rational> heights{trace.pieces.front().profile(points.front().x)};
   for (std::size_t i = 1; i < points.size(); ++i) heights.push_back(trace.pieces[i - 1].profile(points[i].x));
@@ -110,7 +110,7 @@ std::vector<Point> random_points() {
   return points;
 }
 
-/// Sums over what is left: of heights, and of heights times x.
+/// Returns sums over the remaining heights: of heights, and of heights times x.
 std::pair<Rational, Rational> moments(const std::vector<Rational>& heights, const std::vector<Point>& points) {
   Rational sum = 0, first = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -144,13 +144,13 @@ TEST_CASE("what is left after the mean has none, after the line neither mean nor
       for (std::size_t i = 0; i < points.size(); ++i) {
         RC_ASSERT(left[i] == points[i].height - trace.trend->height - trace.trend->slope * points[i].x);
       }
-      // Exact, unless a number of the trend is longer than 128 bits and has been rounded to 20 digits.
+      // Exact, unless a number of the trend is longer than 128 bits and was rounded to 20 digits.
       const auto [sum, first] = moments(left, points);
       const Rational rounding = 1e-13_r;
       RC_ASSERT(abs(sum) <= rounding);
       if (kind == Detrend::mean) RC_ASSERT(sum == 0);
       if (kind == Detrend::line) RC_ASSERT(abs(first) <= rounding);
-      // The control: another line leaves something.
+      // The control: with another line the sums are not zero.
       std::vector<Rational> other = left;
       for (std::size_t i = 0; i < points.size(); ++i) other[i] += points[i].x / 1000000 + 1;
       if (kind == Detrend::line && points.size() > 2) RC_ASSERT(moments(other, points).first != first);

@@ -1,4 +1,4 @@
-// When a proof is tried again with more digits: one rule for the program and for the library.
+// The rule for repeating a proof with more digits: the same for the program and for the library.
 
 #include "library/proof/proved_contact.hpp"
 
@@ -16,8 +16,8 @@ struct Tried {
   std::optional<enclosure::ContactProof> proof;
 };
 
-/// A flat punch, whose contact the solver finds with so many digits only; it finds nothing with `nothing_with`. From
-/// `unsolved_from` digits on it reports that a wrong contact is no solution.
+/// A flat punch. The solver finds the right contact from `good_from` digits on, and finds nothing with `nothing_with`.
+/// From `unsolved_from` digits on it reports that a wrong contact is not a solution.
 Tried tried(int first, int good_from, int nothing_with = 0, int unsolved_from = 1000) {
   const ContactProblem problem = reduced({0.1_r, 0.5_r}, {0}, one_piece(-1, 1, {}), 1);
   Tried result;
@@ -63,12 +63,12 @@ TEST_CASE("what is not solved with 50 digits is not tried with 100") {
   CHECK((tried(16, 1000, 0, 50).digits == std::vector{16, 50}));
   CHECK((tried(16, 1000, 0, 16).digits == std::vector{16, 50}));
   CHECK((tried(50, 1000, 0, 50).digits == std::vector{50}));
-  // A problem that double does not solve is tried with 50 digits.
+  // If double does not solve a problem, 50 digits are tried.
   CHECK(tried(16, 50, 0, 16).proof.value().proved);
 }
 
 TEST_CASE("ends at other distances make another contact set") {
-  // Contact on the left bowl alone: the right one penetrates.
+  // Contact only on the left bowl: the right one penetrates.
   const Polynomial left({0, 0, 1}), right({1.6_r, -2.4_r, 1});
   const auto bowls = [&](const Indenter& indenter) { return reduced({0.3_r}, {}, indenter, 1); };
   const ContactProblem problem = bowls(Indenter(-1, {{0.5_r, left}, {2, right}}));
@@ -90,7 +90,7 @@ TEST_CASE("ends at other distances make another contact set") {
 }
 
 TEST_CASE("a contact set that is refuted is not proved again with more digits, another one is") {
-  // Over a concave corner the traction pulls.
+  // Over a concave corner the traction is tension.
   const Indenter notch(-1, {{0, Polynomial({0, 0.3_r})}, {1, Polynomial({0, -0.3_r})}});
   const ContactProblem problem = reduced({0.1_r}, {}, notch, 0.2_r);
   const ApproximateContact closed{{{-1}, {1}}};

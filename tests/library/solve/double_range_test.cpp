@@ -1,4 +1,4 @@
-// What double can hold, and what asks for more digits.
+// The range of double, and cases that need more digits.
 
 #include "library/solve/double_range.hpp"
 #include "support/test.hpp"

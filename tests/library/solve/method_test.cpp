@@ -1,4 +1,4 @@
-// Which method `auto` takes.
+// The method that `auto` chooses.
 
 #include "library/solve/method.hpp"
 
@@ -9,8 +9,8 @@ using namespace steadyslide::library;
 
 namespace {
 
-/// Points of the parabola x^2/4 on [-0.3, 0.3]; every second one between two places lies higher by a little, a concave
-/// corner.
+/// Points of the parabola x^2/4 on [-0.3, 0.3]. Between two places every second point is slightly higher: this makes
+/// concave corners.
 ContactProblem trace(const Rational& from, const Rational& to, const Rational& load, int points = 300) {
   const Rational step(6, 10 * points);
   const auto place = [&](int i) { return Rational(i * step - Rational(3, 10)); };
@@ -49,7 +49,7 @@ TEST_CASE("auto keeps the Riemann-Hilbert method for few corners in the contact,
   CHECK_FALSE(takes_cells(trace(-0.015_r, 0.015_r, load)));
   CHECK_FALSE(takes_cells(trace(0.15_r, 0.28_r, load)));
   CHECK_FALSE(takes_cells(trace(0, 0, load)));
-  // More than a hundred are not looked at.
+  // With more than a hundred corners no prediction is made.
   CHECK(takes_cells(trace(-0.3_r, 0.3_r, load)));
 }
 

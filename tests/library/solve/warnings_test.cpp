@@ -1,4 +1,4 @@
-// From which error on a solution is doubted, and from which on it is none.
+// The errors above which there is a warning, and above which a state is not a solution.
 
 #include "library/solve/warnings.hpp"
 #include "library/solve/failed_condition.hpp"
@@ -61,9 +61,9 @@ TEST_CASE("contact at the cut end of a trace, and contact nowhere else") {
   CHECK(count(with_contact(0.97, 0.999)) == 0);
   CHECK(count(with_contact(0.99, 1)) == 2);
   CHECK(count(with_contact(-1, -0.99)) == 2);
-  // A profile that is a formula ends where it is said to end.
+  // A profile that is a formula has no cut end.
   CHECK(count(with_contact(0.99, 1), false) == 0);
-  // At both ends at once, as under a parabola turned over.
+  // Contact at both ends at once, as under a parabola turned upside down.
   MadeUp both = with_contact(-1, -0.99);
   both.shown_contact.push_back(with_contact(0.99, 1).shown_contact.front());
   CHECK(count(both) == 2);
@@ -84,7 +84,7 @@ TEST_CASE("a gap over a notch is warned of, unless the notch is what coefficient
     return warnings(problem, *solution);
   };
   for (const Rational& place : {0_r, 0.125_r}) {
-    // Slopes of 0.1 + 2 x on both sides, 2^-49 of them together.
+    // The slopes are 0.1 + 2 x on both sides; the limit is 2^-49 of their sum.
     const Rational least = 2 * (0.1_r + 2 * place) / (Integer(1) << 49);
     CHECK(told(-least * 0.9_r, place).empty());
     const std::vector<std::string> lines = told(-least * 1.1_r, place);

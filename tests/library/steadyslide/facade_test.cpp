@@ -1,4 +1,4 @@
-// The facade says what problem files, laws and closed forms say. It sees no header but its own.
+// The facade agrees with problem files, laws and closed forms. The test includes only the facade's header.
 
 #include <unistd.h>
 
@@ -20,7 +20,7 @@ namespace {
 
 ProblemData coatings() { return {.load = 1, .friction = {"0.1", 0.5}, .jumps = {0}, .poisson = 0.2, .profile = "0"}; }
 
-/// Contact from one side of a friction jump to the other, with free ends.
+/// Contact with free ends, on both sides of a friction jump.
 ProblemData parabola(const Exact& load = "0.2") {
   return {.load = load, .friction = {"0.1", "0.5"}, .jumps = {"0.1"}, .poisson = "0.3", .profile = "x^2/2"};
 }
@@ -75,7 +75,7 @@ TEST_CASE("load, Coulomb's law and the slope hold") {
     const double friction = places[k] < 0.1 ? 0.1 : 0.5;
     CHECK(shear[k] == doctest::Approx(-friction * t[k]).epsilon(1e-14));
     CHECK(solution.traction(places[k]).value == doctest::Approx(t[k]).epsilon(1e-12));
-    CHECK(slope[k] == doctest::Approx(places[k]).epsilon(1e-9));  // the profile's
+    CHECK(slope[k] == doctest::Approx(places[k]).epsilon(1e-9));  // the slope of the profile
     CHECK(std::abs(solution.gap(places[k]).value) < 1e-12);
   }
   CHECK(std::isnan(solution.gap(2).value));
@@ -87,7 +87,7 @@ TEST_CASE("resultants belong together") {
   CHECK(of.mean_pressure.value == doctest::Approx(of.normal.value / of.real_contact_length.value));
   CHECK(of.load_share.size() == 2);
   CHECK(of.load_share[0].value + of.load_share[1].value == doctest::Approx(1));
-  CHECK(of.largest_pressure.value.value == INFINITY);  // at the jump, towards which friction rises
+  CHECK(of.largest_pressure.value.value == INFINITY);  // at the jump, at which friction rises
   CHECK(of.largest_pressure.x.value == doctest::Approx(0.1));
   CHECK(of.largest_pressure.exponent->value < 0);
 }
@@ -117,7 +117,7 @@ TEST_CASE("exponents, their derivation and a proof") {
   CHECK(proof.proved);
   CHECK(proof.certificate.find("\"exists\": true") != std::string::npos);
   CHECK(proof.unresolved_gaps.empty());
-  // Nothing is proved of a solution that has contact in a gap too short for numbers, and the proof says which gap.
+  // There is no proof of a solution with contact in a gap that is too short for numbers. The proof names the gap.
   const ProblemData notch{.load = 1000, .friction = {1}, .gamma = "0.5", .pieces = {{"1/4", "x/8"}, {1, "1/16 - x/8"}}};
   const Proof refused = solve(notch).certify();
   CHECK_FALSE(refused.proved);
@@ -156,7 +156,7 @@ TEST_CASE("a gap of 1e-195 is answered in double: an intensity of 1e160 does not
   const Number intensity = solution.contact().front().right.intensity;
   CHECK(intensity.value > 1e150);
   CHECK(intensity.error < 1e-6 * intensity.value);
-  // What fifty digits would not leave open.
+  // Fifty digits would give a smaller error.
   CHECK(intensity.error > 1e-14 * intensity.value);
 }
 
@@ -210,6 +210,6 @@ TEST_CASE(
   const auto warnings = found.warnings();
   REQUIRE_FALSE(warnings.empty());
   CHECK(warnings[0] == "method variational: the Riemann-Hilbert method did not converge; " + failed.failed_condition());
-  // Little has worn off.
+  // Little material has worn off.
   CHECK(found.effective_friction().value == doctest::Approx(fresh.effective_friction().value).epsilon(0.02));
 }

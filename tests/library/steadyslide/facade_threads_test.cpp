@@ -1,5 +1,5 @@
-// Four threads at work on different problems, and four on one solution, in double and with 50 digits: they get what one
-// gets. That no memory is shared unguarded is for the thread sanitizer to see (preset tsan).
+// Four threads solve different problems, and four use one solution, in double and with 50 digits. Their results equal
+// those of one thread. The thread sanitizer checks for data races (preset tsan).
 
 #include <functional>
 #include <steadyslide/steadyslide.hpp>
@@ -47,7 +47,7 @@ std::vector<std::optional<Answer>> at_once(const std::function<Answer(int)>& ans
 
 }  // namespace
 
-// Nothing of the library has run before in this program: what is made at first use is made by four threads at once.
+// No code of the library has run before in this program: four threads make its static data at the same time.
 TEST_CASE("four threads solve four problems") {
   for (const int digits : {50, 16}) {
     const auto answer = [&](int k) { return Answer(solve(problem(k), {.digits = digits})); };

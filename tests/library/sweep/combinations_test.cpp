@@ -1,4 +1,4 @@
-// Combinations of varied data: their number, their order, the problems they make, against loops written out.
+// Combinations of varied data: their number, their order and their problems, compared with explicit loops.
 
 #include "library/sweep/combinations.hpp"
 

@@ -1,4 +1,4 @@
-// Random decimals: those that the header's formula gives in another language's whole numbers.
+// Random decimals agree with those of the header's formula, computed in another language with whole numbers.
 
 #include "library/sweep/random_decimals.hpp"
 

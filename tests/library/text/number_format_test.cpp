@@ -11,7 +11,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 }
 
 TEST_CASE("numbers are rounded to nearest, plain for moderate exponents, without zeros at the end") {
-  // A double, the digits asked for, what is written.
+  // A double, the requested digits, the expected text.
   for (const std::string& row :
        words("0.0:16:0 -0.0:16:0 -0.0123:16:-0.0123 1.5e-30:16:1.5e-30 0.1:16:0.1 9.996:3:10 1000.0:3:1e3 100.0:3:100 "
              "100.0:4:100 -123456.0:3:-1.23e5 1.5e-5:16:0.000015 1.5e-6:16:1.5e-6 1e100:16:1e100 5e-324:3:4.94e-324")) {
@@ -42,7 +42,7 @@ TEST_CASE("fifty and a hundred digits are served, and one digit too") {
 }
 
 TEST_CASE("digits that the error does not support are not printed") {
-  // A value, its error, the digits asked for, what is written; with an infinite error a value is not known.
+  // A value, its error, the requested digits, the expected text. With an infinite error a value is not known.
   for (const std::string& row : words(
            "1.23456789:0:16:1.23456789 1.23456789:3e-5:16:1.2346 1.23456789:1e-4:16:1.2346 1.23456789:1.1e-4:16:1.235 "
            "1.23456789:1e-4:3:1.23 3:2:16:3 0:0:16:0 1.5:nan:16: -inf:0:16:-inf 1.5:inf:16: 0:inf:16: "
@@ -72,7 +72,7 @@ TEST_CASE("a value that does not exceed its error has it beside it, rounded wher
     const std::size_t sign = text.find(" +/- ");
     if (e == 0) return;
     RC_ASSERT(sign != text.npos);
-    // All that the estimate allows for is within what the text says.
+    // All values within the estimate are within the printed error.
     const Rational said = parse_rational(text.substr(0, sign)), most = parse_rational(text.substr(sign + 5));
     RC_ASSERT(abs(said - Rational(v)) + Rational(e) <= most);
     RC_ASSERT(most <= Rational(e) * 5 / 4);
@@ -92,7 +92,8 @@ TEST_CASE("16 digits of all of a number are the shortest decimal that brings the
   }
   CHECK(full_number(Rational(1, 3), 16) == "0.3333333333333333");
   CHECK(full_number(Real50("1e-400") / 3, 16) == "3.333333333333333e-401");
-  CHECK(full_number(Real50(2) / 3, 16) == "0.6666666666666666");  // the double's, not the rounded 0.6666666666666667
+  CHECK(full_number(Real50(2) / 3, 16) == "0.6666666666666666");  // the double's digits, not the rounded
+                                                                  // 0.6666666666666667
   CHECK(full_number(2.0 / 3, 6) == "0.666667");
   CHECK(full_number(Real50(1) / 3, 30) == "0." + std::string(30, '3'));
   CHECK(full_number(-infinite, 16) == "-inf");
@@ -123,11 +124,11 @@ TEST_CASE("an estimate for a person and for a file") {
 TEST_CASE("an estimated error counts what its value is rounded by") {
   CHECK(number_text(Estimate<double>{2. / 3, 1e-17}, 3).error == "0.00034");
   CHECK(number_text(Estimate<double>{0.5, 0}, 3).error == "0");
-  CHECK(number_text(Estimate<double>{2. / 3, 1e-16}, 16).error == "1e-16");  // the text is the double
+  CHECK(number_text(Estimate<double>{2. / 3, 1e-16}, 16).error == "1e-16");  // the text gives exactly the double
   CHECK(number_text(Estimate<Real50>{Real50(2) / 3, Real50("1e-56")}, 25).error == "3.4e-26");
-  // The double is further away than 16 digits are.
+  // The nearest double is further away than the 16th digit.
   CHECK(number_text(Estimate<Real50>{Real50(2) / 3, Real50("1e-56")}, 16).error == "6.7e-17");
-  // As a reader of the type has the text.
+  // The text as a reader of this type parses it.
   const auto covers = []<numeric::Real R>(const R& value, const R& error, int digits) {
     const NumberText text = number_text(Estimate<R>{value, error}, digits);
     const auto read = [](const std::string& decimal) { return numeric::to_real<R>(parse_rational(decimal)); };

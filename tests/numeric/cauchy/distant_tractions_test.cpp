@@ -1,4 +1,5 @@
-// u_t' over many coatings, by cells: against the trapezoidal rule on all panels, and against the field just below the surface.
+// u_t' over many coatings, summed by cells, is compared with the trapezoidal rule on all panels, and with the field
+// just below the surface.
 
 #include <random>
 
@@ -13,7 +14,7 @@ using namespace steadyslide::numeric;
 
 namespace {
 
-/// Coatings of very different lengths, the friction of neighbours unlike, on [-1, 1].
+/// Coatings of very different lengths on [-1, 1]; neighbours have different friction.
 FrictionProfile coatings(int count) {
   std::minstd_rand random(7);
   std::vector<Rational> values, jumps;
@@ -21,7 +22,7 @@ FrictionProfile coatings(int count) {
     values.push_back(Rational(static_cast<int>(random() % 900), 1000));
     const Rational place = Rational(2 * k, count) - 1;
     if (k > 0 && k < count) jumps.push_back(place);
-    // Next to one of them the lengths shrink by halves.
+    // Next to one of them each length is half of the one before.
     if (k == count / 2) {
       for (int halving = 1; halving < 30; ++halving) {
         jumps.push_back(place + Rational(2, count) / (Integer(1) << (30 - halving)));
@@ -35,12 +36,12 @@ FrictionProfile coatings(int count) {
 
 ContactProblem punch() { return {Elasticity(Solid(0.2_r, 2)), coatings(140), Indenter(-1, {{1, Polynomial()}}), 1}; }
 
-/// Free ends, which leave some of the coatings out.
+/// A parabola with free ends; some of the coatings are outside of the contact.
 ContactProblem parabola() {
   return {Elasticity(Solid(0.2_r, 2)), coatings(180), Indenter(-1, {{1, Polynomial({0, 0, 1})}}), 1, Sliding::minus_x};
 }
 
-/// Two bumps, whose contact leaves a gap between them.
+/// Two bumps with a gap between their contact zones.
 ContactProblem bumps() {
   return {Elasticity(Solid(0.2_r, 2)), coatings(260),
           Indenter(-1, {{0, Polynomial({0.25_r, 1, 1})}, {1, Polynomial({0.25_r, -1, 1})}}), 0.1_r};

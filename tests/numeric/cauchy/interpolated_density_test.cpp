@@ -1,4 +1,4 @@
-// An interpolated density is the density, and asks for it no oftener than it has to.
+// An interpolated density equals the density, and evaluates it no more often than necessary.
 
 #include "numeric/cauchy/interpolated_density.hpp"
 
@@ -8,7 +8,8 @@
 
 namespace {
 
-/// 1/(place + 1/50) plus `logarithm` times place log(place), each value off by up to `rounding`, over a panel of length 2.
+/// 1/(place + 1/50) plus `logarithm` times place log(place), over a panel of length 2. Each value has an error of up to
+/// `rounding`.
 PanelDensity<double> density(double logarithm, double rounding, int& asked) {
   const auto smooth = [logarithm, rounding, &asked](const Node<double>& node) {
     ++asked;

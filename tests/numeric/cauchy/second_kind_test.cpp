@@ -1,4 +1,5 @@
-// Cauchy integrals of powers against closed forms, three unrelated quadratures and the relations between them.
+// Cauchy integrals of powers, compared with closed forms and with three independent quadratures; relations between
+// them.
 
 #include <type_traits>
 
@@ -18,7 +19,7 @@ R ten_to(int exponent) {
   return pow(R(10), exponent);
 }
 
-/// Evenly, or one in two near to -1, 0 or 1.
+/// Evenly distributed; every second one close to -1, 0 or 1.
 template <Real R>
 Power<R> random_end_power() {
   using std::pow;
@@ -32,7 +33,7 @@ Power<R> random_end_power() {
   }
 }
 
-/// Between 1e-12 and 1e4, or one in four down to 1e-100.
+/// Between 1e-12 and 1e4; one in four down to 1e-100.
 template <Real R>
 R random_distance() {
   using std::pow;
@@ -70,7 +71,7 @@ TEST_CASE_TEMPLATE("halves: y = z/2 on the first one, a Gauss rule on the second
       second += rule.weights[i] / 2 * pow(y, a.value) / (y + d);
     }
     RC_ASSERT(close(R(pow(R(2), R(-a.value)) * first + second), whole, 100));
-    // Control: the power of the other sign.
+    // Control: the power with the opposite sign.
     if (a.value > 0.01 || a.value < -0.01) RC_ASSERT(!close(R(pow(R(2), a.value) * first + second), whole, 1e6));
   }));
 }
@@ -90,7 +91,7 @@ TEST_CASE_TEMPLATE("a precision and the next serve the same number", R, double, 
   using Finer = std::conditional_t<std::same_as<R, double>, Real50, Real100>;
   CHECK(rc::check("precisions", [] {
     const Power<R> a = random_end_power<R>();
-    // What the coarse one was given: the smaller of both is the one that counts.
+    // The same power as the coarse one got: the smaller one of a and 1 + a is the accurate one.
     const Power<Finer> fine = a.plus_one < 0.5 ? Power<Finer>{Finer(a.plus_one) - 1, Finer(a.plus_one)}
                                                : Power<Finer>{Finer(a.value), Finer(a.value) + 1};
     const auto error = [](const R& value, const Finer& exact, const Finer& part) {
@@ -157,7 +158,7 @@ TEST_CASE_TEMPLATE("tanh-sinh and trapezoidal routes", R, double, Real50) {
       }
       for (const R& x : {R(1e-3), R(0.3), R(0.7)}) {
         const Node<R> node = unit.node_from_left(x);
-        // The size of what may cancel.
+        // The size of the terms that may cancel.
         const R part = pow(x, a.value) * (1 + size_of(R(log(node.from_right))) + 1 / a.plus_one);
         CHECK(close(tanh_sinh::hilbert(density, {0, node}).value, grid.hilbert({0, node}), 2000, part));
       }
@@ -166,6 +167,6 @@ TEST_CASE_TEMPLATE("tanh-sinh and trapezoidal routes", R, double, Real50) {
 }
 
 TEST_CASE("next to a = -1 the exponent's last digits count") {
-  // int_0^1 y^a/(y + d) dy ~ 1/((1+a) d): the mass is at the end.
+  // int_0^1 y^a/(y + d) dy ~ 1/((1+a) d): the integral comes from the end.
   CHECK(close(left_of(Power<double>{-1, 1e-20}, 0.01), 1e22, 10));
 }

@@ -84,7 +84,7 @@ TEST_CASE("slope and gap outside the contact are those of the traction, integrat
       CHECK(abs(solution->at(x).slope.left.value / expected - 1) < 1e-50);
     }
   }
-  // gap = int (psi' - u') dx by Simpson's rule in the square root of the distance, from the free end on.
+  // gap = int (psi' - u') dx by Simpson's rule in the square root of the distance, starting at the free end.
   const auto solution = solve<double>(coated_parabola());
   const double end = solution->contact().front().right.x.value;
   const auto rate = [&](double x) { return 1.0 / 7 + 3 * x - solution->at(Rational(x)).slope.left.value; };

@@ -12,8 +12,8 @@ ContactProblem galin(const std::vector<Rational>& s, const std::vector<Rational>
   return reduced(s, jumps, one_piece(-100, 100, {0, 0, 1 / (2 * radius)}), load);
 }
 
-/// The two equations by the angles alone, for the ends a < b of any contact: summed by parts (the powers are the jumps of
-/// alpha, and 1/2 at both ends),
+/// The two equations in terms of the angles only, for the ends a < b of any contact. They are summed by parts; the powers
+/// are the jumps of alpha, and 1/2 at both ends:
 ///   mean = (a + b)/2 + int_a^b alpha dx = 0,   squares = (a^2 + b^2)/2 + 2 int_a^b x alpha dx = K.
 std::pair<double, double> mean_and_squares(const std::vector<Rational>& s, const std::vector<Rational>& jumps, double a,
                                            double b) {
@@ -32,7 +32,7 @@ std::pair<double, double> mean_and_squares(const std::vector<Rational>& s, const
 }  // namespace
 
 TEST_CASE("one jump at the vertex: ends to 40 digits") {
-  // Digits from outside this project, where two independent computations agreed on 40 of them.
+  // Digits from outside this project. Two independent computations there agreed on 40 digits.
   struct Case {
     Rational rear, front;
     const char* left;
@@ -61,7 +61,7 @@ TEST_CASE("no jump: half-width, shifted zone and peak at -4 alpha a") {
   for (const char* slope : {"0", "0.3", "2", "-0.7"}) {
     const Rational s = abs(parse_rational(slope));
     const auto problem = galin({s}, {}, Rational(3, 7), 2.5_r);
-    // The sign of s through the direction of sliding.
+    // The sign of s comes from the direction of sliding.
     const ContactProblem directed = problem.with_sliding(slope[0] == '-' ? Sliding::minus_x : Sliding::plus_x);
     const Real50 alpha = to_real<Real50>(Exponent::angle(parse_rational(slope)));
     const Real50 a = sqrt(to_real<Real50>(Rational(15, 14)) / (2 * pi<Real50>() * (0.25 - alpha * alpha)));
@@ -69,7 +69,7 @@ TEST_CASE("no jump: half-width, shifted zone and peak at -4 alpha a") {
     const FundamentalSolution<Real50>& y = data.traction.weight;
     CHECK(abs(y.point(0) + (1 + 2 * alpha) * a) < 1e-54);
     CHECK(abs(y.point(1) - (1 - 2 * alpha) * a) < 1e-54);
-    // At the peak the logarithmic derivative of |t| vanishes, and it changes sign.
+    // At the peak the logarithmic derivative of |t| vanishes and changes its sign.
     const auto slope_at = [&](const Real50& x) {
       return Real50(y.powers()[0].value / (x - y.point(0)) + y.powers()[1].value / (x - y.point(1)));
     };
@@ -88,7 +88,7 @@ TEST_CASE("the contact takes in one jump after the other as the load grows, with
     const ParabolaZone<double> zone = parabola_zone<double>(s, jumps, K);
     CHECK(zone.left < left);
     CHECK(zone.right > right);
-    // No jump is missed and none is taken in too early.
+    // No jump is missing, and none is included too early.
     for (std::size_t k = 0; k < jumps.size(); ++k) {
       const double c = to_real<double>(jumps[k]);
       const bool inside = zone.first <= k && k < zone.last;

@@ -1,5 +1,5 @@
-// Flat punches with 0, 1, 3 and 8 jumps, nu from -0.9 to 0.499 and f from 0 to 50: load and equation, measured by the
-// trapezoidal rule and, at a few points, by tanh-sinh and GSL.
+// Flat punches with 0, 1, 3 and 8 jumps, nu from -0.9 to 0.499 and f from 0 to 50. Load and equation are measured by
+// the trapezoidal rule and, at a few points, by tanh-sinh and GSL.
 
 #include "numeric/cauchy/residuals.hpp"
 #include "numeric/closed_form/closed_form.hpp"
@@ -9,7 +9,7 @@
 
 namespace {
 
-/// Alternating between f and g, in pieces of unequal lengths.
+/// Friction alternates between f and g, in pieces of unequal lengths.
 ContactProblem punch(int jumps, const Rational& nu, const Rational& f, const Rational& g) {
   std::vector<Rational> values;
   std::vector<Rational> places;
@@ -19,7 +19,8 @@ ContactProblem punch(int jumps, const Rational& nu, const Rational& f, const Rat
                         Rational(7, 3));
 }
 
-/// Poisson's ratio enters by s alone, and a part without jumps has one s: what is the same s is measured once.
+/// Poisson's ratio enters only through s. Without jumps there is only one s, so problems with the same s are measured
+/// once.
 template <Real R>
 void check_residuals(int jumps, const R& tolerance,
                      const std::vector<const char*>& ratios = {"-0.9", "0", "0.3", "0.499"}) {

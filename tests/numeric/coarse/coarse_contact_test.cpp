@@ -1,4 +1,5 @@
-// The coarse contact zone: against closed forms, against an own quadrature, and where the scales lie far apart.
+// The coarse contact zone, compared with closed forms and with a quadrature of this test, also for very different
+// scales.
 
 #include "numeric/variational/coarse_contact.hpp"
 #include "numeric/closed_form/closed_form.hpp"
@@ -29,7 +30,7 @@ double centre_of_pressure(const CoarseContact& c) {
   return moment / integral(c);
 }
 
-/// The length of the cell that contains x, or of the first or the last one.
+/// Returns the length of the cell that contains x, or of the first or last cell.
 double cell_length(const CoarseContact& c, double x) {
   const auto beyond = std::upper_bound(c.cell_edges.begin() + 1, c.cell_edges.end() - 1, x);
   return *beyond - *(beyond - 1);
@@ -51,7 +52,7 @@ void zone_is_that_of_the_closed_form(const ContactProblem& problem, bool edges) 
   RC_ASSERT((zone.left_at_edge == edges && zone.right_at_edge == edges));
 }
 
-/// psi/c - u/c at x up to a constant, by the midpoint rule on 64 parts of every cell.
+/// Returns psi/c - u/c at x up to a constant, by the midpoint rule on 64 parts of every cell.
 double unlevelled_gap(const ContactProblem& problem, const CoarseContact& c, const Polynomial& profile, double x) {
   constexpr int parts = 64;
   const double origin = to_real<double>(c.origin);
@@ -63,7 +64,7 @@ double unlevelled_gap(const ContactProblem& problem, const CoarseContact& c, con
       const double y = c.cell_edges[j] + (k + 0.5) * h;
       const std::size_t piece = problem.friction().piece(Rational(y + origin), Side::left);
       const double s = to_real<double>(problem.coupled_friction(piece));
-      // A midpoint that falls on x itself: the mean over its part instead.
+      // If a midpoint is x itself, the mean over its part is used.
       const double log = std::log(std::max(std::abs(x - y), h / (2 * std::numbers::e)));
       u += c.traction[j] * h * (-log / std::numbers::pi + (y < x ? s : 0));
     }
@@ -184,7 +185,7 @@ TEST_CASE("an indenter that may tilt turns until its pressure is centred at the 
   REQUIRE(c.zones.size() == 1);
   CHECK(c.converged);
   CHECK(centre_of_pressure(c) == doctest::Approx(0.5).epsilon(1e-9));
-  // x^2 + tilt x is the same parabola about -tilt/2.
+  // x^2 + tilt x is the same parabola with the vertex -tilt/2.
   CHECK(c.tilt == doctest::Approx(-1).epsilon(0.01));
   const double a = std::sqrt(1 / std::numbers::pi);
   CHECK(is_zone(c.zones[0], 0.5, a, 0.02));
@@ -224,7 +225,7 @@ TEST_CASE("gap and traction by an independent quadrature") {
     const Complementarity found = complementarity(problem, c);
     CHECK(found.free > -0.01);
     CHECK(found.contact < 0.02);
-    // Control: the same traction turned round does not.
+    // Control: the reversed traction does not fit.
     std::reverse(c.traction.begin(), c.traction.end());
     const Complementarity wrong = complementarity(problem, c);
     CHECK((wrong.contact > 0.1 || wrong.free < -0.1));

@@ -1,5 +1,5 @@
-// The integral over the free surface against the load shares of the closed form, which integrates the traction: what they
-// have in common is the data.
+// Compares the integral over the free surface with the load shares of the closed form, which integrates the traction.
+// The two have only the data in common.
 
 #include "numeric/flat_punch/flat_punch.hpp"
 
@@ -14,7 +14,7 @@ Estimate<R> by_integral(const ContactProblem& punch) {
   return EffectiveFriction<R>(FrictionLayout<R>::of(punch)).value();
 }
 
-/// sum of s times the part of the load under it.
+/// The sum of s times the part of the load under it.
 template <Real R>
 Estimate<R> by_traction(const ContactProblem& punch) {
   return to_real<R>(punch.elasticity().gamma()) * closed_form<R>(punch).solution->resultants().effective_friction;
@@ -82,7 +82,8 @@ TEST_CASE("mirrored strips under the other sign of s: the same friction") {
 }
 
 TEST_CASE_TEMPLATE("the derivative is that of small changes of alpha, and convex", R, double, Real50) {
-  // One strip is cut out of the second coating around y = 1/2, with another alpha: int w over the strip, times the change.
+  // One strip of the second coating around y = 1/2 gets another alpha: the change is int w over the strip, times the
+  // change of alpha.
   const auto value = [](const Rational& s) {
     return EffectiveFriction<R>(FrictionLayout<R>({R(0.7), R(0.75), R(0.1), R(0.45)}, {0.3_r, 0.8_r, s, 0.8_r}))
         .value()
@@ -93,7 +94,7 @@ TEST_CASE_TEMPLATE("the derivative is that of small changes of alpha, and convex
   const R quotient = (value(0.8_r + change) - value(0.8_r - change)) / angles;
   const EffectiveFriction<R> friction(FrictionLayout<R>({R(0.7), R(1.3)}, {0.3_r, 0.8_r}));
   const auto w = [&](const R& from_left) { return friction.derivative(from_left, 2 - from_left).value; };
-  // Gauss' rule with three nodes on the strip: its error is far below that of the quotient in double.
+  // Gauss' rule with three nodes on the strip: its error is far below the error of the difference quotient in double.
   using std::sqrt;
   const R node = R(0.05) * sqrt(R(0.6));
   const R integral = R(0.1) * (5 * w(R(1.5) - node) + 8 * w(R(1.5)) + 5 * w(R(1.5) + node)) / 18;

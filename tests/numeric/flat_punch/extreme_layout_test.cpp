@@ -15,7 +15,8 @@ R s_eff(const std::vector<R>& lengths, const std::vector<Rational>& s) {
   return EffectiveFriction<R>(FrictionLayout<R>(lengths, s)).value().value;
 }
 
-/// Two coatings in turn, in up to ten strips of random lengths, with this share of the second one.
+/// The friction of two alternating coatings, in up to ten strips of random lengths; `second_share` is the share of the
+/// second one.
 double random_friction(std::mt19937_64& engine, const Rational& first, const Rational& second, double second_share) {
   const std::size_t strips = 2 + engine() % 9;
   std::vector<double> lengths;
@@ -23,7 +24,7 @@ double random_friction(std::mt19937_64& engine, const Rational& first, const Rat
   double sum[2] = {0, 0};
   for (std::size_t k = 0; k < strips; ++k) {
     const double u = static_cast<double>(engine() >> 11) * 0x1p-53;
-    lengths.push_back(u * u * u + 1e-9);  // short ones, too
+    lengths.push_back(u * u * u + 1e-9);  // some are short
     s.push_back(k % 2 == 0 ? first : second);
     sum[k % 2] += lengths.back();
   }
@@ -36,7 +37,7 @@ double random_friction(std::mt19937_64& engine, const Rational& first, const Rat
 TEST_CASE_TEMPLATE("two coatings, half and half: friction 0.231489 to 0.367149 at gamma = 3/8", R, double, Real50) {
   const auto largest = extreme_layout<R>(rough, smooth, 0.5_r);
   const auto smallest = extreme_layout<R>(smooth, rough, 0.5_r);
-  // First jump at y = -1 + 2 left. Values from outside this project.
+  // The first jump is at y = -1 + 2 left. The values are from outside this project.
   CHECK(size_of(R(2 * largest.left.value - 1 - R(-0.4232))) < 5e-5);
   CHECK(size_of(R(2 * smallest.left.value - 1 - R(-0.46))) < 5e-5);
   CHECK(size_of(R(largest.s_eff.value / R(0.375) - R(0.367149))) < 5e-7);

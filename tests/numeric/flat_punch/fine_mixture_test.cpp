@@ -29,8 +29,8 @@ TEST_CASE("the order 1/2 - <alpha> is that of 1,024 periods whichever coating is
       CHECK((e[2] > 0) == (s[0] > s[1]));
       const double measured = order_of_periods(e[0], e[1], e[2]);
       CHECK(std::abs(measured - order) < 0.001);
-      CHECK(std::abs(measured - 0.5) > 0.02);  // the order without friction
-      // The quotient of two neighbours alone comes near it where friction is large.
+      CHECK(std::abs(measured - 0.5) > 0.02);  // control: the order without friction
+      // For large friction, the quotient of two neighbours already is near the order.
       if (b >= 2) CHECK(std::abs(std::log2(e[1] / e[2]) - order) < 0.02);
     }
   }
@@ -43,6 +43,6 @@ TEST_CASE_TEMPLATE("the limit is at most the mean of s, and the same from large 
     CHECK(fine.s_eff.value > to_real<R>(a));
     CHECK(close(R(-fine.s_eff.value), fine_mixture<R>({0.25_r, 0.75_r}, {-a, -b}).s_eff.value, 1));
   }
-  // cot(pi (1/2 - alpha)) = s: one coating.
+  // cot(pi (1/2 - alpha)) = s for one coating.
   CHECK(close(fine_mixture<R>({1_r}, {1e9_r}).s_eff.value, R(1e9), 16));
 }

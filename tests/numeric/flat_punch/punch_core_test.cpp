@@ -1,5 +1,5 @@
-// Where the load acts in full contact, against the solver for indenters that may tilt; shares and centre of pressure
-// against the closed form.
+// The place of the load in full contact is compared with the solver for indenters that may tilt; shares and centre of
+// pressure with the closed form.
 
 #include "numeric/flat_punch/flat_punch.hpp"
 
@@ -8,7 +8,7 @@
 
 namespace {
 
-/// Are both ends of the support in contact, as edges?
+/// True if both ends of the support are in contact, as edges.
 bool in_full_contact(const ContactProblem& punch) {
   const auto contact = solved<double>(punch)->contact();
   return contact.size() == 1 && contact[0].left.kind == SingularKind::edge &&

@@ -1,5 +1,5 @@
 #pragma once
-// Flat punches under random strips, by number: the same on every platform.
+// Flat punches with random strips, by number; they are the same on every platform.
 
 #include <random>
 
@@ -7,7 +7,7 @@
 
 namespace steadyslide::testing {
 
-/// Number n of a list, with n % 9 jumps. s: one in five is zero, one in five up to 20, the rest up to 1.
+/// Punch number n of a list, with n % 9 jumps. One s in five is zero, one in five up to 20, the rest up to 1.
 inline ContactProblem random_punch(unsigned n) {
   std::mt19937_64 engine(2016 + n);
   const auto below = [&](unsigned limit) { return static_cast<int>(engine() % limit); };

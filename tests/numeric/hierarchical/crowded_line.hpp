@@ -1,5 +1,5 @@
 #pragma once
-// Lines of panels with sources, for sums by cells.
+// Lines of panels with sources, for tests of sums by cells.
 
 #include <cmath>
 #include <random>
@@ -9,7 +9,7 @@
 
 namespace steadyslide::numeric::hierarchical {
 
-/// Panels and sources that are as even, as crowded or as graded as a layout may be.
+/// Panels and sources in even, crowded and graded layouts.
 struct Line {
   std::vector<double> lengths;
   std::vector<Source> sources;
@@ -45,7 +45,7 @@ inline Line line_of(int kind) {
   return line;
 }
 
-/// x - c_i, by lengths from the source to the place of panel k.
+/// Returns x - c_i as a sum of lengths from the source to the place in panel k.
 inline long double offset(const Line& line, std::size_t k, double from_left, double from_right, const Source& source) {
   if (source.panel == k) {
     return source.from_left < source.from_right ? static_cast<long double>(from_left) - source.from_left

@@ -21,7 +21,7 @@ Exact term(LineSum::Kernel kernel, long double d) {
   return {value, kernel == LineSum::Kernel::logarithm ? std::max(1.0L, size) : size};
 }
 
-/// The sum over the sources, one by one, at a place of panel k, without those of the panels left out.
+/// Returns the sum over the sources, one by one, at a place of panel k, without the sources of omitted panels.
 template <class Term>
 Exact exact_sum(const Line& line, const std::vector<char>& left_out, std::size_t k, double from_left, double from_right,
                 const Term& term) {
@@ -106,7 +106,7 @@ TEST_CASE("cells at one place: beyond the line, around a panel, and rises") {
       REQUIRE(exact.size > 0);
       CHECK(std::fabs(value - exact.value) <= tolerance * exact.size);
       CHECK(std::fabs(rise - exact_rise.value) <= tolerance * exact_rise.size);
-      // Control: the other sum is another number.
+      // Control: the other sum differs.
       CHECK(std::fabs(value - exact_rise.value) > 1e-9 * exact.size);
     }
   }

@@ -1,4 +1,4 @@
-// Many points in double, which are summed by cells, against 50 digits, which are summed one by one.
+// Many points in double, summed by cells, are compared with 50 digits, summed one by one.
 
 #include <cmath>
 #include <random>
@@ -71,14 +71,14 @@ TEST_CASE("the fundamental solution of 201 points") {
   CAPTURE(estimate);
   CHECK(worst <= 300);
   CHECK(worst <= estimate);
-  // Control: one power off by 1e-11.
+  // Control: one power is changed by 1e-11.
   CHECK(worst_modulus(many_points<double>(panels, 1e-11)) > 1000);
 }
 
 PiecewiseDensity<double> density_of() {
   PowerTraction<double> traction{many_points<double>(panels), std::vector<double>(panels, -1)};
   PiecewiseDensity<double> density = traction.density();
-  density[panels / 2].gap = 0.125;  // any density will do
+  density[panels / 2].gap = 0.125;  // the density is arbitrary
   return density;
 }
 
@@ -92,7 +92,7 @@ TEST_CASE("principal values on 200 panels, by another rule") {
       const double scale = std::abs(exact.value) + std::abs(density[k](at.node));
       CAPTURE(k);
       CHECK(std::abs(grid.hilbert(at) - exact.value) <= 1e-11 * scale);
-      // Control: the place next to it.
+      // Control: a neighbouring place differs.
       CHECK(std::abs(grid.hilbert(grid.midpoint_near(k, part - 0.1)) - exact.value) > 1e-6 * scale);
     }
   }
@@ -112,13 +112,13 @@ TEST_CASE("displacements beside 200 panels are those of two halves, which are su
   constexpr double tolerance = 1e-15;
   for (const double d : {1e-6, 1e-3, 0.05, 0.12}) {
     CAPTURE(d);
-    // Right of all panels, and in the gap: from the left half's end, and from the right one's.
+    // To the right of all panels, and in the gap: from the left half's end, and from the right half's end.
     const double beyond = rise(right, half - 1, Side::right, 0, d) +
                           rise(left, half - 1, Side::right, 0.125 + length, 0.125 + length + d);
     CHECK(std::abs(whole.displacement(panels - 1, Side::right, d) - beyond) <= tolerance);
     const double inside = rise(left, half - 1, Side::right, 0, d) + rise(right, 0, Side::left, 0.125, 0.125 - d);
     CHECK(std::abs(whole.displacement(half - 1, Side::right, d) - inside) <= tolerance);
-    // Control: a place next to it.
+    // Control: a neighbouring place differs.
     CHECK(std::abs(whole.displacement(half - 1, Side::right, 1.0001 * d) - inside) > 1000 * tolerance);
   }
 }

@@ -12,7 +12,7 @@ namespace {
 
 using Place = PivotSum::Place;
 
-/// A place in panel k at `part` of its length.
+/// Returns a place in panel k at the fraction `part` of its length.
 Place place_in(const Line& line, std::ptrdiff_t k, double part) {
   const double left = part * line.lengths[static_cast<std::size_t>(k)];
   return {k, left, line.lengths[static_cast<std::size_t>(k)] - left};
@@ -22,7 +22,7 @@ long double offset(const Line& line, const Place& place, const Source& source) {
   return offset(line, static_cast<std::size_t>(place.panel), place.from_left, place.from_right, source);
 }
 
-/// x - e for places of the panels first..end-1.
+/// Returns x - e for places in the panels first..end-1.
 double between(const Line& line, const Place& x, const Place& e) {
   if (x.panel == e.panel) return x.from_left < x.from_right ? x.from_left - e.from_left : e.from_right - x.from_right;
   if (x.panel < e.panel) return -between(line, e, x);
@@ -44,7 +44,8 @@ Sum term(double weight, long double to_x, long double to_pivot, int sigma) {
   return {-weight * factor / to_x, std::fabs(weight * factor / to_x)};
 }
 
-/// By how many roundings of its sizes a sum by cells and its near panels is off from that of all sources one by one.
+/// Returns the difference between the sum by cells plus its near panels and the sum of all sources one by one, in
+/// roundings of its sizes.
 double error_of(const Line& line, const PivotSum& sum, const Place& x, const Place& e, int sigma,
                 const PivotSum::Range& without, double wrong_offset = 0) {
   std::vector<double> sums(sum.sums(), 0);
@@ -71,7 +72,7 @@ double error_of(const Line& line, const PivotSum& sum, const Place& x, const Pla
     exact.size += one.size;
   }
   if (exact.size == 0) return 0;
-  // The last sum is that of the sizes.
+  // The last sum is the sum of sizes.
   if (wrong_offset == 0) CHECK(static_cast<double>(std::fabs(sums[1] + near.size - exact.size) / exact.size) < 1e-13);
   return static_cast<double>(std::fabs(sums[0] + near.value - exact.value) / exact.size) /
          std::numeric_limits<double>::epsilon();
@@ -112,7 +113,7 @@ TEST_CASE("sums beside a pivot are those of the sources, one by one, however clo
     }
     CAPTURE(kind);
     CHECK(worst <= cauchy_rounding);
-    CHECK(worst_if_off > 1000 * cauchy_rounding);  // the control: the pivot elsewhere
+    CHECK(worst_if_off > 1000 * cauchy_rounding);  // the control: the pivot at another place
   }
 }
 
@@ -122,7 +123,7 @@ TEST_CASE("a place in the gap beside what is left out, its pivot at the far end"
     const PivotSum sum = sum_of(line);
     double worst = 0;
     for (std::ptrdiff_t k = 3; k < static_cast<std::ptrdiff_t>(line.lengths.size()) - 7; k += 70) {
-      // Panels 7 i + 3 have no sources: a gap on either side of 7 i + 4, ..., 7 i + 9.
+      // Panels 7 i + 3 have no sources: there is a gap on both sides of 7 i + 4, ..., 7 i + 9.
       const PivotSum::Range own{static_cast<std::size_t>(k) + 1, static_cast<std::size_t>(k) + 7};
       for (const int sigma : {-1, 0, 1}) {
         for (const double part : {0.001, 0.5, 0.999}) {

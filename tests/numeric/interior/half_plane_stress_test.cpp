@@ -1,5 +1,5 @@
-// The fields that the stresses below the surface are made of: a force's, and the same through potentials, against the
-// closed forms of a uniform strip.
+// The fields of a force, and the same through potentials, are compared with the closed forms for a uniform strip. The
+// stresses below the surface consist of these fields.
 
 #include "numeric/interior/interior_stress_problems.hpp"
 #include "numeric/quadrature/jacobi_rule.hpp"
@@ -8,7 +8,7 @@ using namespace steadyslide::numeric::stress_test;
 
 namespace {
 
-/// C of a uniform traction on [-a, a]: log((zeta - a)/(zeta + a))/pi, times the traction.
+/// C of a uniform traction on [-a, a]: log((zeta - a)/(zeta + a))/pi times the traction.
 template <Real R>
 Potential<R> strip_potential(const R& a, const R& x, const R& z, const R& traction) {
   using std::atan2, std::log;
@@ -59,6 +59,6 @@ TEST_CASE("a narrow strip is a force, to the square of its width") {
   const R wide = error(R("1e-6"), R(1)), narrow = error(R("1e-8"), R(1));
   CHECK(wide < R("1e-10"));
   CHECK(static_cast<double>(R(wide / narrow)) == doctest::Approx(1e4).epsilon(1e-3));
-  // Control: a factor.
+  // Control: a changed factor.
   CHECK(error(R("1e-8"), R(2)) > R(0.1));
 }

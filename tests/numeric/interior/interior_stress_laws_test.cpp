@@ -1,5 +1,5 @@
-// What the stresses below the surface have to obey, whatever formula they come from: equilibrium, the tractions at the
-// surface, the resultants far away.
+// Laws of the stresses below the surface, independent of the formula: equilibrium, the tractions at the surface, the
+// resultants far away.
 
 #include "numeric/interior/interior_stress_problems.hpp"
 
@@ -35,13 +35,13 @@ TEST_CASE("equilibrium and compatibility, by differences") {
     const R sum = laplacian([](const auto& s) { return R(s.xx + s.zz); });
     const R one = laplacian([](const auto& s) { return s.zz; });
     CHECK(abs(sum) < R(1e-12) * abs(one));
-    // Controls: the shear stress reversed; one normal stress alone is not harmonic (above).
+    // Controls: the shear stress reversed; a single normal stress is not harmonic (above).
     CHECK(abs(xx_x - xz_z) > R(0.01) * scale);
     CHECK(abs(one) > R(0.01));
   }
 }
 
-// Slow: 12 s, at 50 digits down to 1e-8 of the contact below the surface.
+// Slow: 12 s at 50 digits, for depths down to 1e-8 of the contact's length.
 TEST_CASE("slow: the tractions are reached at the surface, at the rate that equilibrium tells" * doctest::skip()) {
   using std::abs;
   for (const Sliding sliding : {Sliding::plus_x, Sliding::minus_x}) {
@@ -64,7 +64,7 @@ TEST_CASE("slow: the tractions are reached at the surface, at the rate that equi
         const StressComponents<R> before = surface(x - dx), behind = surface(x + dx);
         const R step = 2 * to_real<R>(dx), size_of_t = abs(limit.zz);
         if (problem.friction().jumps().empty()) {
-          // One ratio r = t_t/t: by the slope of the normal displacement.
+          // One ratio r = t_t/t. The limit follows from the slope of the normal displacement.
           const R r = -limit.xz / limit.zz, slope = solution.at(x).slope.left.value / c;
           CHECK(abs(limit.zz + 2 * r * (slope + gamma * r * limit.zz) - limit.xx) < R(1e-40) * size_of_t);
           CHECK(abs(limit.zz + 2 * r * (slope - gamma * r * limit.zz) - limit.xx) > R(0.1) * size_of_t);
@@ -86,7 +86,7 @@ TEST_CASE("slow: the tractions are reached at the surface, at the rate that equi
           const R slack = R(1e-4) * (abs(zz_rate) + abs(xz_rate));
           CHECK(abs((s.zz - limit.zz) / zr - zz_rate) < slack);
           CHECK(abs((s.xz - limit.xz) / zr - xz_rate) < slack);
-          // Controls: the shear with the other sign, and sigma_xx without the shear's part.
+          // Controls: the shear with the opposite sign, and sigma_xx without the shear's part.
           if (limit.xz != 0) CHECK(abs(s.xz + limit.xz) > R(0.1) * abs(limit.xz));
           CHECK(abs(s.xx - limit.zz) > R(0.01) * size_of_t);
         }
@@ -108,11 +108,11 @@ TEST_CASE("beside the contact the surface is free") {
     const StressState<R> near = solved.interior.at(x, millionth);
     const StressState<R> nearer = solved.interior.at(x, millionth * millionth);
     CHECK(abs(nearer.xx.value - stretch) < R(1e-8) * abs(stretch));
-    // sigma_zz like z^2, sigma_xz like z; and not like anything else.
+    // sigma_zz falls like z^2 and sigma_xz like z, not with other powers.
     CHECK(as_double(abs(nearer.zz.value / near.zz.value) * 1e12) == doctest::Approx(1).epsilon(0.01));
     CHECK(as_double(abs(nearer.xz.value / near.xz.value) * 1e6) == doctest::Approx(1).epsilon(0.01));
     CHECK(abs(nearer.zz.value) < R(1e-18) * abs(stretch));
-    // Small as they are, double has every digit of them; sums of sigma_xx's size would not.
+    // These stresses are small, but double has every digit of them. Sums of the size of sigma_xx would lose digits.
     const StressState<double> coarse = rough.interior.at(x, millionth);
     CHECK(coarse.zz.value == doctest::Approx(as_double(near.zz.value)).scale(0).epsilon(1e-12));
     CHECK(coarse.xz.value == doctest::Approx(as_double(near.xz.value)).scale(0).epsilon(1e-12));
@@ -137,7 +137,7 @@ TEST_CASE("far away there are two forces") {
       const R far = error(direction, 1 / (millionth * millionth), forces.normal.value, along);
       CHECK(near < R(1e-5));
       CHECK(as_double(near / far) == doctest::Approx(1e6).epsilon(0.01));
-      // Controls: straight below the load the tangential force has no part.
+      // Controls: the tangential force contributes nothing straight below the load.
       if (direction > 0) CHECK(error(direction, 1_r / millionth, forces.normal.value, R(-along)) > R(0.01));
       CHECK(error(direction, 1_r / millionth, R(forces.normal.value * R(1.01)), along) > R(0.001));
     }
@@ -152,7 +152,7 @@ TEST_CASE("out of the plane") {
   };
   const StressState<double> strain = stress(body());
   CHECK(strain.yy->value == doctest::Approx((strain.xx.value + strain.zz.value) / 5).epsilon(1e-14));
-  // The deviator's norm: von Mises = sqrt(3/2 s:s).
+  // The norm of the deviator: von Mises = sqrt(3/2 s:s).
   const double mean = strain.mean()->value, xx = strain.xx.value - mean;
   const double yy = strain.yy->value - mean, zz = strain.zz.value - mean;
   CHECK(xx + yy + zz == doctest::Approx(0).scale(1).epsilon(1e-14));

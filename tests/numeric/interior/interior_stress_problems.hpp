@@ -1,5 +1,5 @@
 #pragma once
-// What the tests of the stresses below the surface solve, and a second route to these stresses.
+// The problems of the tests of stresses below the surface, and an independent computation of these stresses.
 
 #include "numeric/interior/half_plane_stress.hpp"
 #include "numeric/interior/interior_stress.hpp"
@@ -12,7 +12,7 @@ namespace steadyslide::numeric::stress_test {
 
 inline Elasticity body() { return Elasticity(Solid(0.2_r, 2)); }
 
-/// Four friction values under a smooth indenter, free ends.
+/// Four friction values under a smooth indenter with free ends.
 inline ContactProblem jumps(Sliding sliding = Sliding::plus_x) {
   return {body(), FrictionProfile({0.5_r, 3, 0, 1}, {Rational(-1, 3), 0, 0.25_r}),
           Indenter(-2, {{2, Polynomial({0, 0.1_r, 1, 0, 0.5_r})}}), 1, sliding};
@@ -37,7 +37,7 @@ inline ContactProblem corners(Sliding sliding = Sliding::plus_x) {
           Indenter(-2, {{0, left}, {0.125_r, middle}, {0.25_r, wedge}, {2, bent}}), 1, sliding};
 }
 
-/// Solved, with the stresses below.
+/// A solution with its stresses below the surface.
 template <Real R>
 struct Solved {
   explicit Solved(const ContactProblem& problem) : found(riemann_hilbert<R>(problem).solution) {
@@ -67,14 +67,15 @@ std::vector<Estimate<R>> numbers(const StressState<R>& s) {
   return {s.xx, s.zz, s.xz, *s.yy, *s.mean(), *s.von_mises(), s.largest_shear(), s.gradient->x_z, s.gradient->z_x};
 }
 
-/// In double every number is as near to that of 50 digits as its error says.
+/// Checks that in double every number differs from that of 50 digits by no more than its error.
 inline void errors_cover(const StressState<double>& found, const StressState<Real50>& truth) {
   const auto a = numbers(found);
   const auto b = numbers(truth);
   for (std::size_t k = 0; k < a.size(); ++k) CHECK_MESSAGE(within_error(a[k], b[k]), "number ", k);
 }
 
-/// Pressure p and traction q along +x on [a, b]: angles from the strip's ends and a logarithm [Joh85, chapter 2].
+/// Stresses of the pressure p and the traction q along +x on [a, b]: angles at the strip's ends and a logarithm [Joh85,
+/// chapter 2].
 template <Real R>
 StressComponents<R> strip(const R& p, const R& q, const R& a, const R& b, const R& x, const R& z) {
   using std::atan2, std::cos, std::log, std::sin;
@@ -96,7 +97,7 @@ R size(const StressComponents<R>& a) {
   return difference(a, {R(0), R(0), R(0)});
 }
 
-/// By the adaptive tanh-sinh rule on every segment, cut at x and next to it. `factor` multiplies the shear.
+/// Integrates by the adaptive tanh-sinh rule on every segment, cut at x and next to it. `factor` multiplies the shear.
 template <Real R>
 StressComponents<R> by_quadrature(const RiemannHilbertSolution<R>& solution, const Rational& x, const Rational& z,
                                   const R& factor = R(1)) {
@@ -109,7 +110,7 @@ StressComponents<R> by_quadrature(const RiemannHilbertSolution<R>& solution, con
   for (std::size_t k = 0; k < set.segments(); ++k) {
     if (!set.in_contact(k)) continue;
     const R shear = factor * solution.shear_ratio(k);
-    // x' = (left end) + node; `from`: x minus the panel's left end, `to`: x minus its right end.
+    // x' = (left end) + node. `from` is x minus the panel's left end, `to` is x minus its right end.
     const auto add = [&](const Panel<R>& panel, const R& before, const R& behind, const R& from, const R& to) {
       const Power<R> none{R(0), R(1)};
       const Power<R> left = before == 0 ? form.fundamental_solution().powers()[k] : none;
@@ -130,7 +131,7 @@ StressComponents<R> by_quadrature(const RiemannHilbertSolution<R>& solution, con
     const Panel<R> whole = set.panels()[k];
     const R &l = above.node.from_left, &r = above.node.from_right;
     if (static_cast<std::ptrdiff_t>(k) == above.segment && l > 0 && r > 0) {
-      // Once more at four depths from x: the adaptive rule likes one scale a panel.
+      // Cuts again at four depths from x: the adaptive rule works best with one scale in each panel.
       const R near_left = std::min(R(l / 2), R(4 * depth));
       const R near_right = std::min(R(r / 2), R(4 * depth)), x_left = whole.left + l;
       const R far_left = l - near_left, far_right = r - near_right;

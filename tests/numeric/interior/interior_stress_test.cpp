@@ -1,5 +1,5 @@
-// The stresses below the surface by unrelated routes: the adaptive tanh-sinh rule, and where one friction value and one
-// polynomial rule, potentials in closed form; and what they have to be next to the surface and far from it.
+// The stresses below the surface by independent methods: the adaptive tanh-sinh rule and, for one friction value and
+// one polynomial, potentials in closed form. Also their limits next to the surface and far from it.
 
 #include <algorithm>
 #include <random>
@@ -14,7 +14,7 @@ namespace {
 
 const char* const depths[] = {"1/2", "1/100", "1/10000", "1/100000000"};
 
-/// C = g + tilt - Y B and its derivative for constant friction, where B has no integral.
+/// C = g + tilt - Y B and its derivative for constant friction; then B needs no integral.
 template <Real R>
 StressComponents<R> by_potentials(const RiemannHilbertSolution<R>& solution, const Rational& x, const Rational& z) {
   using Z = Complex<R>;
@@ -25,7 +25,7 @@ StressComponents<R> by_potentials(const RiemannHilbertSolution<R>& solution, con
   const std::vector<R>& g = solution.problem().slopes().front();
   REQUIRE(g.size() <= 2);
   const R linear = g.size() == 2 ? g[1] : R(0);
-  // B: the load over -pi under a punch, the curvature under a parabola.
+  // B is the load over -pi under a punch, and the curvature under a parabola.
   const R b = form.q().empty() ? linear : R(-form.q().front() / pi<R>());
   const Z y = form.fundamental_solution().at(zeta);
   Z logarithmic{R(0), R(0)};
@@ -121,7 +121,7 @@ TEST_CASE("next to a free end: in double as far from the closed potentials as th
       }
     }
   }
-  // Not by being large, and where rounding alone would not do: the place of an end matters.
+  // The errors are not large. Rounding alone would not be enough: the place of an end matters.
   std::ranges::nth_element(ratios, ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2));
   CHECK(ratios[ratios.size() / 2] < 1000);
   CHECK(displaced > 10);

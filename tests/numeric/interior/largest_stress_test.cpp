@@ -1,4 +1,5 @@
-// The largest von Mises stress: Hertz's line contact, whose stresses under its middle are known; brute force elsewhere.
+// The largest von Mises stress: for Hertz's line contact, whose stresses below its middle are known; otherwise by brute
+// force.
 
 #include "numeric/interior/largest_stress.hpp"
 
@@ -17,7 +18,7 @@ ContactProblem parabola_under(const FrictionProfile& friction, const Rational& p
   return {Elasticity(Solid(poisson, 1)), friction, Indenter(-9, {{9, Polynomial({0, 0, 1})}}), 1};
 }
 
-/// Under the middle of Hertz's contact, in units of a and p_0 [Joh85, (4.46)], nu = 0.3.
+/// Von Mises stress below the middle of Hertz's contact, in units of a and p_0 [Joh85, (4.46)], nu = 0.3.
 Real50 von_mises_on_axis(const Real50& z) {
   using std::sqrt;
   const Real50 root = sqrt(1 + z * z);
@@ -28,7 +29,7 @@ Real50 von_mises_on_axis(const Real50& z) {
 }  // namespace
 
 TEST_CASE("Hertz: the maximum under the middle, found by bisection of its slope at 50 digits") {
-  // By golden sections: the value to the square of the place's error.
+  // By golden section: the error of the value is the square of the error of the place.
   Real50 low = 0.5, high = 1;
   const Real50 golden = (sqrt(Real50(5)) - 1) / 2;
   while (high - low > Real50(1e-24)) {
@@ -53,7 +54,7 @@ TEST_CASE("Hertz: the maximum under the middle, found by bisection of its slope 
     CHECK(largest->z.error < 10 * place);
     // `low` itself is known to 1e-24.
     CHECK(abs(largest->z.value / a - static_cast<R>(low)) * a <= largest->z.error + a * R(1e-24));
-    // Control: a hundredth of the half-width off is another stress.
+    // Control: at a depth that differs by a hundredth of the half-width the stress differs.
     CHECK(abs(von_mises_on_axis(low * 1.05) - von_mises_on_axis(low)) > 1e-4);
   };
   check.operator()<double>(1e-14, 1e-7);
@@ -86,7 +87,7 @@ TEST_CASE("no place has more: jumps, strong friction, a punch below its least de
     double highest = 0;
     const auto points = solution->singular_points();
     for (int i = 0; i < 4000; ++i) {
-      // Denser towards the surface; every other one beside a singular point, at any scale.
+      // Points are denser towards the surface; every second one lies beside a singular point, at a random scale.
       const double scale = width * std::pow(10, -8 * unit(random));
       const auto& point = points[static_cast<std::size_t>(i) % points.size()];
       const double x =
@@ -98,7 +99,7 @@ TEST_CASE("no place has more: jumps, strong friction, a punch below its least de
     CHECK(highest <= largest->von_mises.value * (1 + 1e-12));
     CHECK(highest > (unbounded ? 0.5 : 0.95) * largest->von_mises.value);
   }
-  // Strong friction has it at the surface.
+  // With strong friction the largest stress is at the surface.
   CHECK(largest_stress<double>(InteriorStress<double>(*cases[1].first), 0)->z.value == 0);
 }
 
@@ -119,7 +120,7 @@ TEST_CASE("on cells: how far stresses and the place of the largest one are from 
       const InteriorStress<double> interior(*found);
       const double cell = dynamic_cast<const VariationalSolution&>(*found).cell_length();
       for (int i = 0; i < 200; ++i) {
-        // From a cell's length to the contact's.
+        // From the length of a cell to that of the contact.
         const Rational x(left + width * (1.4 * unit(random) - 0.2));
         const Rational z(cell * std::pow(width / cell, unit(random)));
         const Estimate<double> here = *interior.at(x, z).von_mises(), there = *exact.at(x, z).von_mises();
@@ -133,7 +134,7 @@ TEST_CASE("on cells: how far stresses and the place of the largest one are from 
       const auto largest = largest_stress<double>(interior, depth), of_exact = largest_stress<double>(exact, depth);
       CAPTURE(largest->x.value);
       CHECK(std::abs(largest->von_mises.value - of_exact->von_mises.value) <= largest->von_mises.error);
-      // Where two maxima are almost equal the other one may be the largest.
+      // If two maxima are almost equal, the other one may be the largest.
       const double there = exact.at(Rational(largest->x.value), Rational(largest->z.value)).von_mises()->value;
       CHECK(there >= of_exact->von_mises.value - 2 * largest->von_mises.error);
       if (std::abs(largest->x.value - of_exact->x.value) > 0.3 * width) continue;

@@ -1,5 +1,5 @@
-// The stresses below the surface of every method's solution: beside each other, beside strips with constant tractions, at
-// the surface, and as the gradient of a displacement.
+// The stresses below the surface for every method's solution: compared with each other, with strips of constant
+// traction, with the tractions at the surface, and with the gradient of a displacement.
 
 #include "numeric/closed_form/closed_form.hpp"
 #include "numeric/interior/interior_stress_problems.hpp"
@@ -68,7 +68,7 @@ TEST_CASE("tractions and slopes are recovered next to the surface, in double") {
         const double scale = std::abs(t) * to_real<double>(problem.elasticity().compliance());
         CHECK(std::abs(state.gradient->z_x.value + sample.slope.left.value) < 1e-12 * scale);
         CHECK(std::abs(state.gradient->x_x.value - form.tangential_slope(Rational(x)).value) < 1e-12 * scale);
-        // Control: the surface does not turn the other way.
+        // Control: the surface turns in this direction, not in the other.
         CHECK(std::abs(state.gradient->x_z.value + sample.slope.left.value) > 1e-3 * scale);
       }
     }
@@ -91,7 +91,7 @@ TEST_CASE("there is a displacement: its gradient's rows have no curl, in plane s
       const R z_xz = (down.z_x.value - up.z_x.value) / step, z_zx = (right.z_z.value - left.z_z.value) / step;
       CHECK(abs(x_xz - x_zx) < R(1e-24));
       CHECK(abs(z_xz - z_zx) < R(1e-24));
-      // Controls: x and z exchanged, as a rotation the other way would have it.
+      // Controls: x and z exchanged, as for a rotation in the opposite direction.
       const R reversed = (right.z_x.value - left.z_x.value) / step;
       CHECK(abs(x_xz - reversed) > R(1e-3));
       const auto here = gradient(0, 0);
@@ -128,7 +128,7 @@ TEST_CASE("cells: strips of constant traction, one by one, at every depth; and t
     const StressState<double> state = interior.at(Rational(x), Rational(z));
     const double scale = size(components(state));
     CHECK(difference<Real50>({state.xx.value, state.zz.value, state.xz.value}, sum) < 1e-11 * scale);
-    // Within a few cells of the jump, where the pressure has no bound, cells show other stresses.
+    // Within a few cells of the jump, where the pressure is unbounded, the stresses of cells differ.
     if (z < 0.1) continue;
     const StressState<double> expected = formula.at(Rational(x), Rational(z));
     CHECK(difference(components(state), components(expected)) < 0.01 * scale);

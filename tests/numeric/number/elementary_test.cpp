@@ -4,7 +4,7 @@
 
 namespace {
 
-/// What MPFR rounds correctly.
+/// The value as MPFR rounds it correctly.
 template <class R>
 R by_mpfr(int (*f)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t), const R& x) {
   R result;
@@ -19,7 +19,7 @@ R power_by_mpfr(const R& base, const R& exponent) {
   return result;
 }
 
-/// Equal, or neighbours: a ball of 16 bits more may lie across the middle between two numbers.
+/// Equal, or neighbours: a ball with 16 more bits may contain the middle between two numbers.
 template <class R>
 bool same_to_the_last_bit(const R& a, const R& b) {
   R above = b, below = b;
@@ -36,7 +36,7 @@ R with_exponent(long exponent) {
   return ldexp(R(x / 2 + R(0.5)), exponent);
 }
 
-/// Some are tiny, some huge, some next to 1.
+/// Some numbers are tiny, some huge, some next to 1.
 template <class R>
 R positive() {
   switch (uniform(0, 4)) {
@@ -87,7 +87,7 @@ TEST_CASE_TEMPLATE("what is no plain number is MPFR's", R, Real50, Real100) {
   CHECK(pow(R(-2), R(3)) == -8);
   CHECK(isnan(pow(R(-2), R(0.5))));
   CHECK(pow(R(7), R(0)) == 1);
-  // Up to the end of MPFR's range and beyond it, where both are infinite or zero.
+  // Up to the end of MPFR's range and beyond it; there both are infinite or zero.
   for (const int size : {20, 27, 28, 29, 30, 31, 40}) {
     for (const int sign : {1, -1}) {
       const R large = sign * (ldexp(R(3) / 4, size) + R(0.5));

@@ -9,7 +9,8 @@ R random_real() {
   return R(uniform(1, 1000)) / uniform(1, 999) * (uniform(0, 1) == 0 ? -1 : 1);
 }
 
-/// An estimate, and a value that its error allows: to the least of the errors that first order forgets.
+/// An estimate whose error is exactly its distance from the true value. The errors are small, so that terms of second
+/// order hardly matter.
 template <Real R>
 struct Measured {
   R exact;
@@ -23,7 +24,7 @@ Measured<R> random_measured() {
   return {exact, {exact + off, abs(off), uniform(0, 9) == 0 ? Convergence::stalled : Convergence::reached}};
 }
 
-/// The error covers the difference, but for what is of second order and what rounding adds.
+/// Checks that the error covers the difference, except for terms of second order and rounding.
 template <Real R>
 bool covers(const Estimate<R>& found, const R& exact) {
   using std::abs;
@@ -36,7 +37,7 @@ TEST_CASE_TEMPLATE("the error of a result covers what became of the errors", R, 
   CHECK(rc::check([] {
     const Measured<R> a = random_measured<R>(), b = random_measured<R>();
     const R c = random_real<R>();
-    // As large as the sizes of both terms say: where they cancel, rounding does not.
+    // The error is as large as the sizes of both terms require: the terms cancel, their rounding does not.
     const Estimate<R> rounding{R(0), 1e4 * epsilon<R>()};
     RC_ASSERT(covers<R>(a.estimate + b.estimate + rounding, a.exact + b.exact));
     RC_ASSERT(covers<R>(a.estimate - b.estimate + rounding, a.exact - b.exact));

@@ -1,4 +1,4 @@
-// Products of powers beside 50 digits, on every instruction set that is here.
+// Products of powers, compared with 50 digits, on every instruction set of this machine.
 
 #include "numeric/number/power_product.hpp"
 #include "numeric/cauchy/fundamental_solution.hpp"
@@ -23,7 +23,7 @@ struct RandomProduct {
     return sum;
   }
 
-  /// The header's bound.
+  /// The bound in the header.
   double bound() const {
     std::vector<double> powers;
     for (const auto* factors : {&of_left, &of_right}) {
@@ -42,7 +42,7 @@ struct RandomProduct {
 
 double fraction() { return uniform(-1'000'000'000, 1'000'000'000) / 1e9; }
 
-/// Distances from 1e-300 to 1e300, of everyday size, or next to 1.
+/// Distances from 1e-300 to 1e300, of ordinary size, or next to 1.
 RandomProduct random_product(int most_factors) {
   RandomProduct result;
   const double decades = std::vector<double>{300, 2, 1e-6}[static_cast<std::size_t>(uniform(0, 2))];
@@ -56,7 +56,7 @@ RandomProduct random_product(int most_factors) {
   return result;
 }
 
-/// |found - e^logarithm| in units in the last place of the latter; 0 out of the range of normal numbers.
+/// Returns |found - e^logarithm| in units in the last place of e^logarithm; 0 outside the range of normal numbers.
 double units_wrong(double found, const Real50& logarithm) {
   const Real50 exact = exp(logarithm);
   const auto rounded = static_cast<double>(exact);
@@ -110,7 +110,7 @@ TEST_CASE("a value does not depend on its place among the points") {
     power_products(of_left, of_right, left, right, all, set);
     for (std::size_t first = 0; first < left.size(); ++first) {
       for (std::size_t count = 0; first + count <= left.size(); ++count) {
-        std::vector<double> part(count + 1, -1);  // one number more, which stays
+        std::vector<double> part(count + 1, -1);  // one number more, which must not change
         const auto of = [&](const std::vector<double>& all_points) {
           return std::span<const double>(all_points).subspan(first, count);
         };
@@ -149,7 +149,7 @@ TEST_CASE_TEMPLATE("|Y| at many points is |Y| at each, however close to an end",
     right.push_back(d == 0.249 ? R(1e-310) : R(R(0.25) - left.back()));
   }
   std::vector<R> values(left.size());
-  // Above double to the digits that are served.
+  // Above double: to the promised number of digits.
   const R allowed = std::same_as<R, double> ? 8 * epsilon<R>() : R(pow(R(10), -digits_served<R>));
   R worst = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -160,6 +160,6 @@ TEST_CASE_TEMPLATE("|Y| at many points is |Y| at each, however close to an end",
     }
   }
   CHECK(worst <= allowed);
-  // Not by modulus() itself, which has all bits.
+  // Not by modulus() itself, which keeps all bits.
   CHECK(worst > 0);
 }

@@ -15,7 +15,7 @@ TEST_CASE("1 + lambda keeps all digits where lambda is next to -1") {
   const Power<double> power = Power<double>::of(edge);
   CHECK(power.value == -1.0);
   CHECK(power.plus_one == doctest::Approx(1e-30 / pi<double>()).epsilon(1e-14));
-  CHECK(1 + power.value == 0);  // what forming it from lambda would give
+  CHECK(1 + power.value == 0);  // the result of forming it from lambda
 }
 
 TEST_CASE("a difference of two close angles does not cancel") {

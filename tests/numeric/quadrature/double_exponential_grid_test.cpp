@@ -1,4 +1,4 @@
-// The short grid of high precision beside integrals with a known value, and beside the trapezoidal grid.
+// The short grid of high precision, compared with integrals of known value, and with the trapezoidal grid.
 
 #include "numeric/quadrature/double_exponential_grid.hpp"
 
@@ -10,7 +10,7 @@ namespace {
 template <class R>
 using Short = double_exponential::Grid<R>;
 
-/// |a - b| at most ten units of the last digit that is served, relative to their size.
+/// |a - b| is at most ten units of the last promised digit, relative to their size.
 template <Real R>
 bool agree(const R& a, const R& b, const R& part = R(0)) {
   return size_of(R(a - b)) <= pow(R(10), 1 - digits_served<R>) * std::max({size_of(a), size_of(b), size_of(part)});
@@ -22,7 +22,7 @@ PiecewiseDensity<R> galin(const Rational& s) {
   return {{Panel<R>{-1, 1, 2}, Power<R>::of(-half - a), Power<R>::of(-half + a), [](const Node<R>&) { return R(1); }}};
 }
 
-/// A flat punch on [-1, 1] with these jumps: panels that touch.
+/// A flat punch on [-1, 1] with these jumps: its panels touch each other.
 ContactProblem punch(std::vector<Rational> jumps) {
   std::vector<Rational> values;
   for (int k = 0; k <= static_cast<int>(jumps.size()); ++k) values.emplace_back((3 * k * k + 1) % 7, 5);
@@ -35,7 +35,7 @@ PiecewiseDensity<R> traction_of(const ContactProblem& problem) {
   return std::get<ClosedFormData<R>>(closed_form_data<R>(problem)).traction.density();
 }
 
-/// Of a solution by Riemann-Hilbert, which has to outlive it.
+/// The grid of a solution by Riemann-Hilbert. The solution has to live longer than the grid.
 template <Real R>
 PiecewiseDensity<R> solved_traction(const ContactSolution<R>& solution) {
   return traction_density(dynamic_cast<const RiemannHilbertSolution<R>&>(solution).form());
@@ -55,7 +55,7 @@ TEST_CASE_TEMPLATE("Galin's weight: its integral is pi/cos(pi a), H of it -tan(p
     for (const double fraction : {double_exponential::nearest_place, 0.3, 0.5, 1 - double_exponential::nearest_place}) {
       const auto at = grid.midpoint_near(0, fraction);
       CHECK(agree(grid.hilbert(at), R(-to_real<R>(s) * density[0](at.node)), density[0](at.node)));
-      // Control: the value at another midpoint is none here (of s = 0 it is 0 at all of them).
+      // Control: the value at another midpoint differs (for s = 0 it is 0 at all of them).
       auto other = at;
       other.cell += 10;
       if (s != 0)
@@ -119,7 +119,7 @@ TEST_CASE_TEMPLATE("a density that says it is constant is sampled alike, and say
       const std::vector<R> quick = all_of_it(density);
       density[0].is_constant = false;
       CHECK(are_alike(quick, all_of_it(density)));
-      // However small it is; control: a factor that changes by 1e-20.
+      // Small factors count; control: a factor that changes by 1e-20.
       const auto smooth = density[0].smooth;
       density[0] = scaled<R>(density[0], R("1e-300"));
       std::vector<R> tiny = all_of_it(density);

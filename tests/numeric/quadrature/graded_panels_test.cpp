@@ -21,13 +21,13 @@ Case<R> random_case() {
   return {random_decades<R>(-30, 30), {uniform(0, 1) == 1, uniform(0, 1) == 1, beyond(), beyond()}};
 }
 
-/// What is wrong with these panels, or nothing.
+/// Returns the fault of these panels; empty if there is none.
 template <Real R>
 std::string fault(const std::vector<GradedPanel<R>>& panels, const Case<R>& c) {
   if (panels.empty() || panels.front().from_left != 0 || panels.back().from_right != 0) return "ends";
   for (std::size_t k = 0; k < panels.size(); ++k) {
     const GradedPanel<R>& p = panels[k];
-    // Distances from either end are exact up to rounding, however short they are.
+    // Distances from both ends are exact up to rounding, even very short ones.
     if (!close(R(p.from_left + p.length + p.from_right), c.length, 4)) return "length";
     if (k + 1 < panels.size()) {
       const GradedPanel<R>& next = panels[k + 1];

@@ -1,4 +1,4 @@
-// Gauss-Jacobi rules against closed forms.
+// Gauss-Jacobi rules, compared with closed forms.
 
 #include <functional>
 
@@ -7,7 +7,7 @@
 
 namespace {
 
-/// The power of which 1 + a is given, in decimal.
+/// The power, of which 1 + a is given as a decimal.
 template <Real R>
 Power<R> power(const char* plus_one) {
   const Rational given = parse_rational(plus_one);
@@ -39,7 +39,7 @@ R sum(const UnitRule<R>& rule, const std::function<R(const R& y, const R& z)>& f
   return result;
 }
 
-/// The largest relative error, in epsilons, of the integrals of y^k and (1-y)^k with first <= k <= last.
+/// Returns the largest relative error, in epsilons, of the integrals of y^k and (1-y)^k with first <= k <= last.
 template <Real R>
 double moment_error(const UnitRule<R>& rule, const R& a, const R& b, int first, int last) {
   using std::max, std::pow;
@@ -57,7 +57,7 @@ double moment_error(const UnitRule<R>& rule, const R& a, const R& b, int first, 
   return worst;
 }
 
-/// 1 + a: evenly or, one in two, down to 1e-12 or as near to 1.
+/// 1 + a: evenly distributed, or, for every second one, down to 1e-12 or as near to 1.
 template <Real R>
 Power<R> random_power() {
   using std::pow;
@@ -131,7 +131,7 @@ TEST_CASE_TEMPLATE("Chebyshev's rules of the first, second and third kind", R, d
       const R angle = (2 * i + 1) * pi<R>() / (2 * n + 1), c = cos(angle / 2);
       compare(third, at, angle, R(2 * pi<R>() / (2 * n + 1) * c * c));
     }
-    // Here the cosine at the right end loses digits too.
+    // Here the cosine at the right end loses digits, too.
     CHECK(worst < 20 + 10 * n);
   }
 }
@@ -158,11 +158,11 @@ TEST_CASE_TEMPLATE("all but a part 1e-12 of the mass is in the first node, which
   CHECK(abs(rule.weights[0] * a.plus_one - 1) < 1e-11);
   // Newton's step from y = 0; the next term is smaller by 1e-12.
   CHECK(abs(rule.from_left[0] * 20 * 20 / a.plus_one - 1) < 1e-11);
-  // The rest belongs to an integral without the singularity: int_0^1 y^a y dy.
+  // The rest is an integral without the singularity: int_0^1 y^a y dy.
   R rest = 0;
   for (std::size_t i = 1; i < rule.size(); ++i) rest += rule.weights[i] * rule.from_left[i];
   CHECK(distance(R(rest + rule.weights[0] * rule.from_left[0]), R(1 / (1 + a.plus_one))) < 100);
-  // Control: an exponent that lost its last digits, as 1 + a in the type would have.
+  // Control: an exponent without its last digits, which 1 + a in the type would give.
   if constexpr (std::same_as<R, double>) {
     const double lost = 1 + a.value;
     CHECK(distance(jacobi_rule({a.value, lost}, power<R>("1"), 20).weights[0], rule.weights[0]) > 1e10);

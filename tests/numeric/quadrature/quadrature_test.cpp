@@ -1,4 +1,4 @@
-// Every route against integrals with a known value. One line = one case.
+// Every quadrature, compared with integrals of known value. Each line is a case.
 
 #include "numeric/cauchy/sliding_operator.hpp"
 #include "numeric/quadrature/gsl_quadrature.hpp"
@@ -24,8 +24,8 @@ R one(const Node<R>&) {
 TEST_CASE_TEMPLATE("normalisation of Galin's punch: int (1+x)^(-1/2-a) (1-x)^(-1/2+a) dx = pi/cos(pi a)", R, double,
                    Real50, Real100) {
   using std::abs, std::sqrt;
-  // s = tan(pi a); cos(pi a) = 1/sqrt(1+s^2). s = 1000: 14 of 15 parts of the load are in the last 1e-16 of the rear
-  // end.
+  // s = tan(pi a); cos(pi a) = 1/sqrt(1+s^2). For s = 1000, 14 of 15 parts of the load are in the last 1e-16 of the
+  // rear end.
   for (const Rational& s : {0_r, Rational(1, 7), Rational(-5), 37_r, 1000_r}) {
     CAPTURE(to_string(s));
     const Exponent a = Exponent::angle(s);
@@ -101,8 +101,8 @@ TEST_CASE("published principal values (tests of SingularIntegralEquations.jl), x
     const PanelPoint<double> at{0, {0.1, 0.1 - c.panel.left, c.panel.right - 0.1}};
     CHECK(close(tanh_sinh::hilbert(density, at).value, c.expected, 100));
     CHECK(close(gsl::hilbert(density, at).value, c.expected, 1000));
-    // e^x is not analytic at the border of the strip that the trapezoidal step assumes: fewer digits, as its header
-    // says.
+    // e^x is not analytic at the border of the strip that the trapezoidal step assumes. The header says that there are
+    // then fewer digits.
     CHECK(trapezoidal::Grid<double>(density).hilbert(at) == doctest::Approx(c.expected).epsilon(1e-9));
   }
 }
@@ -114,7 +114,7 @@ TEST_CASE_TEMPLATE("H of Galin's weight is -tan(pi a) times it, from 1e-9 of an 
     const Exponent a = Exponent::angle(s);
     const auto density = jacobi<R>(-half - a, -half + a, one<R>);
     const trapezoidal::Grid<R> grid(density);
-    // A place is a second at 100 digits: the nearest, and one inside.
+    // A place takes a second at 100 digits, so only the nearest and one inside are tested.
     for (const char* distance :
          std::same_as<R, Real100> ? std::vector{"1e-9", "0.7"} : std::vector{"1e-9", "1e-3", "0.7", "1"}) {
       const R d = to_real<R>(parse_rational(distance));

@@ -1,4 +1,4 @@
-// Sums of quotients by moments and series beside the sums themselves.
+// Sums of quotients by moments and series, compared with the direct sums.
 
 #include "numeric/quadrature/distant_sum.hpp"
 #include "numeric/quadrature/graded_sum.hpp"
@@ -7,7 +7,7 @@
 
 namespace {
 
-/// Term by term.
+/// The sum term by term.
 template <Real R>
 struct Sum {
   R value = 0, size = 0;
@@ -35,7 +35,7 @@ TEST_CASE_TEMPLATE("sums over far nodes by moments", R, Real50, Real100) {
       Sum<R> sum;
       for (std::size_t i = 0; i < y.size(); ++i) sum.add(R(f[i] / (x + (beyond_one ? R(1 - y[i]) : y[i]))));
       CHECK(sum.is(distant.value(x, beyond_one)));
-      // Controls: the other end, and a place beside this one in the last digits but five.
+      // Controls: the other end, and a place that differs by the factor 1 + 1e5 epsilon.
       if (x < 100) CHECK(size_of(R(distant.value(x, !beyond_one) - sum.value)) > R(1e-6) * sum.size);
       const R beside = x * (1 + 1e5 * epsilon<R>());
       CHECK_FALSE(sum.is(distant.value(beside, beyond_one)));
@@ -75,7 +75,7 @@ TEST_CASE_TEMPLATE("sums over sources on hundreds of scales", R, Real50, Real100
     CHECK(sum.is(far.value + near.value));
     CHECK(near.size + far.size >= (1 - 1e-6) * sum.size);
     CHECK(near.size + far.size <= R(1.2) * sum.size);
-    // Controls: a panel is missing, or the place is another.
+    // Controls: one panel is missing, or the place differs.
     if (far.end > far.first + 1) CHECK_FALSE(sum.is(far.value + near_sum(x, far.first + 1, far.end).value));
     if (x > 0) CHECK_FALSE(sum.is(graded.at(x * (1 + R(1e-20))).value + near.value));
   }
@@ -104,7 +104,7 @@ TEST_CASE_TEMPLATE("sums over far sources as one series", R, Real50, Real100) {
     CHECK(by_sizes.is(sum.value(y)));
     CHECK(direct.size <= by_sizes.size);
     CHECK(3 * direct.size >= by_sizes.size);
-    // Controls: the mirrored place, and one beside it in the last digits but five.
+    // Controls: the mirrored place, and one that differs by 1e5 epsilon.
     if (y != R(0.5)) CHECK(size_of(R(sum.value(R(1 - y)) - direct.value)) > R(1e-6) * direct.size);
     CHECK_FALSE(direct.is(sum.value(R(y + 1e5 * epsilon<R>()))));
   }

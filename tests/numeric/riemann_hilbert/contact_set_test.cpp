@@ -15,7 +15,7 @@ ContactProblem jumps_on(const Rational& left, const Rational& right, const std::
 
 const Frame unit_frame{0, 1};
 
-/// What is wrong with a set, or nothing.
+/// Returns the fault of a set; empty if there is none.
 template <Real R>
 std::string fault(const RoundedProblem<R>& problem, const ContactSet<R>& set) {
   using std::abs;
@@ -48,7 +48,7 @@ typename ContactSet<R>::SegmentPlace place(const ContactSet<R>& set, std::size_t
   return {segment, part * set.length(segment), (1 - part) * set.length(segment)};
 }
 
-/// One random change of the set; free ends stay clear of each other by a thousandth of what is there.
+/// Makes one random change of the set. Free ends keep a distance of a thousandth of the available length.
 template <Real R>
 void change(ContactSet<R>& set) {
   const auto part = [](int low, int high) { return R(uniform(low, high)) / 1000; };
@@ -115,7 +115,7 @@ TEST_CASE("zones that somebody guessed") {
     CHECK(begin.is_free() != guess.left_at_edge);
     CHECK(end.is_free() != guess.right_at_edge);
     CHECK(set.span_length() == doctest::Approx(guess.right - guess.left).epsilon(0.05));
-    // An end never lies on an anchor: the jump at 0 is inside or outside.
+    // An end never lies on an anchor: the jump at 0 is either inside or outside.
     CHECK(set.movable().size() == (begin.is_free() ? 1U : 0U) + (end.is_free() ? 1U : 0U));
   }
 }
@@ -133,7 +133,7 @@ TEST_CASE("an end settles at an anchor, and the set is closed and opened again")
   CHECK(set.span_length() == doctest::Approx(1.5));
   CHECK(!set.point(0).is_free());
   CHECK(set.movable().empty());
-  // A gap from one segment into the next takes in the anchor between them.
+  // A gap from one segment into the next contains the anchor between them.
   set.open({0, 0.75, 0.25}, {1, 0.25, 0.25});
   CHECK(fault(problem, set) == "");
   CHECK(set.components() == 2U);

@@ -1,5 +1,5 @@
-// The sign of the traction at anchors and ends of the contact: the rules against values as near as numbers reach, and
-// solutions below the load at which a notch closes.
+// The sign of the traction at anchors and at ends of contact: the rules are compared with values as near as possible,
+// and with solutions below the load at which a notch closes.
 
 #include "numeric/riemann_hilbert/local_signs.hpp"
 #include "numeric/riemann_hilbert/contact_inequalities.hpp"
@@ -7,7 +7,7 @@
 
 namespace {
 
-/// psi = -|x|/5 over s = 0.0375 | 0.1875 is in full contact from this load on: theta at 0 vanishes there.
+/// psi = -|x|/5 over s = 0.0375 | 0.1875 is in full contact from this load on: there theta at 0 vanishes.
 const Rational threshold = 8.308222888593932767_r;
 
 /// A gap below that load P_c is as long as (1 - P/P_c)^(1/gap_power).
@@ -18,7 +18,7 @@ ContactProblem notch(const Rational& part_of_threshold, bool mirrored = false) {
   return mirrored ? problem.mirrored() : problem;
 }
 
-/// Full contact under edges, whatever its traction.
+/// Full contact with edges, for any traction.
 template <Real R>
 struct FullContact {
   explicit FullContact(const ContactProblem& p) : data(p), problem(data, {0, 1}) {
@@ -33,7 +33,7 @@ struct FullContact {
   std::optional<TractionRepresentation<R>> form;
 };
 
-/// Lengths of the two halves of the gap over the notch.
+/// Returns the lengths of the two halves of the gap over the notch.
 double gap(const ContactSolution<double>& solution) {
   const auto zones = solution.contact();
   REQUIRE(zones.size() == 2U);
@@ -102,7 +102,7 @@ TEST_CASE("what is in contact where it pulls has an infinite tension, and a name
   };
   const RiemannHilbertSolution<double> accepted(full.data, {0, 1}, full_contact);
   CHECK(accepted.residuals().tension == infinity<double>());
-  // The same corner in a notch without jump, and one where friction falls: whatever the load.
+  // The same corner in a notch without a jump, and in one at which friction falls, for any load.
   for (const auto& s : {std::vector<Rational>{1, 1}, {1, 0.5_r}}) {
     const FullContact<double> other(reduced(s, {0}, roof(0.125_r, -0.125_r), 10));
     CHECK(leading_term(*other.form, 1)->sign == 1);
@@ -114,7 +114,7 @@ TEST_CASE("the constant at a wedge is that of the exact jumps, of s and of the s
   for (const char* difference : {"1e-3", "-1e-9", "3e-15", "1e-17", "-1e-25"}) {
     CAPTURE(difference);
     const Rational d = parse_rational(difference);
-    // Falls of s under a wedge of any size; slopes whose difference double does not hold.
+    // Falls of s under a wedge of any size; slopes whose difference is lost in double.
     for (const Rational& wedge : {0.125_r, parse_rational("1e-20")}) {
       const Rational s_right = 0.3_r - (d > 0 ? d : Rational(-d));
       const FullContact<double> full(reduced({0.3_r, s_right}, {0}, roof(0.125_r - wedge, 0.125_r), 4));
@@ -150,7 +150,7 @@ TEST_CASE("a gap that double cannot hold has a place and an order of magnitude")
   REQUIRE(gaps.size() == 1U);
   CHECK(gaps[0].x.value == 0);
   CHECK(gaps[0].log10_length < -1000);
-  // Numbers of 50 digits reach as far: full contact pulls within that length, and nowhere else.
+  // 50 digits reach that near: full contact has tension within that length, and nowhere else.
   const FullContact<Real50> full(pressed);
   for (const Side side : {Side::left, Side::right}) {
     const auto pulls_at = [&](double log10_distance) {

@@ -1,4 +1,4 @@
-// Tractions at many places beside those at one place, which asks for the exact x.
+// Tractions at many places, compared with those at one place, which takes the exact x.
 
 #include "numeric/closed_form/closed_form.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
@@ -7,7 +7,8 @@
 
 namespace {
 
-/// Evenly over more than the support, and at each end and jump that is data: itself, the doubles beside it, and close to it.
+/// Places over more than the support, evenly; at each end and jump that is data: the place itself, the neighbouring
+/// doubles, and places close to it.
 std::vector<double> places(const ContactProblem& problem, const ContactSolution<double>& solution) {
   std::vector<double> result;
   const auto left = to_real<double>(problem.indenter().left());
@@ -16,7 +17,7 @@ std::vector<double> places(const ContactProblem& problem, const ContactSolution<
   for (const auto& point : solution.singular_points()) {
     const double x = point.x.value;
     result.insert(result.end(), {x - 1e-4, x + 1e-4});
-    if (point.kind == SingularKind::free) continue;  // where it is, is known to an error: next to it so is the traction
+    if (point.kind == SingularKind::free) continue;  // a free end has an error, and so has the traction next to it
     for (const double d : {0.0, 1e-15, 1e-9}) result.insert(result.end(), {x - d, x + d});
     result.insert(result.end(), {std::nextafter(x, -9), std::nextafter(x, 9)});
   }
@@ -32,7 +33,7 @@ struct Tractions {
 
 bool equal(double a, double b, double units) { return a == b || close(a, b, units); }
 
-/// Where the two limits differ, the one of the larger pressure.
+/// If the two limits differ, returns the one of the larger pressure.
 template <Real R>
 std::pair<R, R> larger(const Sample<R>& s) {
   if (s.traction.right.value < s.traction.left.value) return {s.traction.right.value, s.shear.right.value};
@@ -73,10 +74,10 @@ TEST_CASE("a flat punch at many places, next to its jumps too, beside 50 digits"
   for (std::size_t i = 0; i < x.size(); ++i) {
     CAPTURE(x[i]);
     const auto [t, shear] = larger(exact->at(Rational(x[i])));
-    // The powers are rounded, too: 2^-54 log(d) at the distance d, 18 units next to a jump.
+    // The powers are rounded, too: by 2^-54 log(d) at the distance d, 18 units next to a jump.
     CHECK(equal(found.normal[i], static_cast<double>(t), 40));
     CHECK(equal(found.shear[i], static_cast<double>(shear), 40));
-    // Control: without what 0.1 has beyond its double, a place next to it is at another distance.
+    // Control: without the difference between 0.1 and its double, a place next to it has another distance.
     const double naive = std::abs(x[i] - 0.1), true_distance = std::abs(to_real<double>(Rational(x[i]) - 0.1_r));
     naive_is_wrong = naive_is_wrong || (naive > 0 && !equal(naive, true_distance, 1e14));
   }

@@ -9,8 +9,8 @@ Rational exact(const Real50& value) { return parse_rational(value.str(56)); }
 
 const Indenter parabola = one_piece(-100, 100, {0, 0, 1});
 
-/// psi/c = x^2 with friction s: the load at which the left or right end is at the distance 1/2 from the vertex. Follows
-/// from p_0 a + p_1 b = 0, p_0 a^2 + p_1 b^2 = P/pi.
+/// psi/c = x^2 with friction s: returns the load at which the left or right end is at the distance 1/2 from the vertex.
+/// It follows from p_0 a + p_1 b = 0, p_0 a^2 + p_1 b^2 = P/pi.
 Rational load_to_reach_half(End end, const Rational& s) {
   const Real50 own = to_real<Real50>(free_exponent(end, s));
   const Real50 other = to_real<Real50>(free_exponent(opposite(end), s));
@@ -104,7 +104,7 @@ TEST_CASE_TEMPLATE("an end exactly at the support's edge, and just before and be
         const auto before = solved<R>(below);
         const auto beyond = solved<R>(reduced({s}, {}, indenter, load * (1 + d)));
         agree<R>(*before, *closed_form<R>(reduced({s}, {}, parabola, load * (1 - d))).solution, 1e3 * epsilon<R>());
-        // The far end moves continuously, the near one becomes an edge.
+        // The far end moves continuously; the near one becomes an edge.
         const End far = opposite(end);
         const R far_before = end_of(before->contact()[0], far).x.value;
         const R far_beyond = end_of(beyond->contact()[0], far).x.value;

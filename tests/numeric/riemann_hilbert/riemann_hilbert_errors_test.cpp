@@ -1,4 +1,4 @@
-// Does an estimated error cover the true one? Measured against more digits.
+// Tests that an estimated error covers the true one, which is measured with more digits.
 
 #include "known_limits/error_estimates.hpp"
 #include "numeric/riemann_hilbert/contact_equations.hpp"
@@ -7,7 +7,7 @@
 
 namespace {
 
-/// A wedge in the contact, its two slopes of different size, with a friction jump at its tip.
+/// A wedge in the contact with two different slopes and a friction jump at its tip.
 ContactProblem wedge_and_jump(const Rational& f_left, const Rational& f_right) {
   return {Elasticity(Solid(0.3_r, 1)), FrictionProfile({f_left, f_right}, {0}), roof(Rational(-1, 7), 0.1_r), 0.1_r};
 }
@@ -27,7 +27,7 @@ ContactProblem nearly_equal(const char* difference) {
   return wedge_and_jump(0.2_r, 0.2_r + parse_rational(difference));
 }
 
-/// D/[s] of the exact data.
+/// D/[s] from the exact data.
 Rational constant_of(const ContactProblem& problem) {
   const Rational jump = problem.coupled_friction(1) - problem.coupled_friction(0);
   return problem.indenter().breaks().front().wedge / (problem.elasticity().compliance() * jump);
@@ -41,8 +41,8 @@ void check_constant(const SolvedSingularPoint<R>& found, const ContactProblem& p
   CHECK(found.constant.error <= 2 * numeric::epsilon<R>() * abs(found.constant.value));
 }
 
-/// The solution with free ends off by what is said to be their error. Everything else of it is kept, so that its load and
-/// its gaps are off as well: an error may be a quarter of what a value is off by.
+/// Returns the solution with its free ends moved by `error`, which is also their estimated error. The other numbers are
+/// unchanged, so its load and gaps are wrong as well: an error may be a quarter of the difference.
 RiemannHilbertSolution<double> displaced(const ContactProblem& problem, std::size_t pattern, double error) {
   const Solved<double> rough = solved<double>(problem);
   const auto found = [&](const RoundedProblem<double>& reduced, JacobiRules<double>&) {
@@ -80,7 +80,7 @@ TEST_CASE("wedge and jump: the constant D/[s] and the intensity keep their digit
     CHECK(found.intensity.error <= 1e-13 * std::abs(found.intensity.value));
     CHECK(truth.intensity.error <= Real50(1e-50) * abs(truth.intensity.value));
   }
-  // Further apart than 50 digits can tell rounded numbers.
+  // The two values differ by more than rounded numbers of 50 digits show.
   const ContactProblem problem = nearly_equal("-1e-70");
   check_constant(corner<Real50>(problem), problem);
 }
@@ -105,7 +105,7 @@ TEST_CASE("free ends: what they are off by is covered by every estimate") {
 TEST_CASE("free ends: what they do to u' is in the error of u_t', f u' and more") {
   for (const ContactProblem& problem : with_free_ends()) {
     const RiemannHilbertSolution<double> found = displaced(problem, 1, 1e-8);
-    // The support's ends, places in gaps, in contact and beside the support.
+    // The ends of the support, and places in gaps, in contact and beside the support.
     for (const char* x : {"-1", "1", "-0.97", "0.93", "0.31", "-1.2", "1.3"}) {
       CAPTURE(x);
       const DetailedSample<double> there = found.details_at(parse_rational(x));
@@ -128,7 +128,7 @@ TEST_CASE("contact that ends 1e-96 beyond a break: the length between is known t
   const ContactEnd<double> end = rough->contact().front().left;
   const ContactEnd<Real50> true_end = exact->contact().front().left;
   REQUIRE(end.kind == SingularKind::free);
-  // Like the length to the power -0.976.
+  // It grows like the length to the power -0.976.
   CHECK(end.intensity.value > 1e93);
   CHECK(end.intensity.error < 1e-3 * end.intensity.value);
   CHECK(true_end.intensity.error < Real50(1e-20) * true_end.intensity.value);

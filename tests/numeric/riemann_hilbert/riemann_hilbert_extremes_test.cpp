@@ -1,4 +1,4 @@
-// Large friction, high degrees, supports that are wide or far away, many digits, and a neighbour to start from.
+// Large friction, high degrees, wide or distant supports, many digits, and starts from a neighbouring solution.
 
 #include "support/solved_contact.hpp"
 
@@ -76,7 +76,7 @@ TEST_CASE_TEMPLATE("a neighbouring solution to start from leads to the same one"
       last = alone;
     }
   }
-  // Nothing to be learned from it: a component in the wrong place.
+  // A useless start: its component is in the wrong place.
   const auto right = solved<R>(on_two_coatings(one_piece(-3, 3, {0, 0, 1}), 1));
   const ContactProblem left = on_two_coatings(one_piece(-3, 3, {4, 4, 1}), 1);
   solutions_agree<R, R>(*solved<R>(left), *solved<R>(left, right.get()), 1000 * epsilon<R>());

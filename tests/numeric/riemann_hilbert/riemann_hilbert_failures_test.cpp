@@ -1,4 +1,4 @@
-// What is not solved says so; and what is wrong is seen.
+// Unsolved problems give a reason, and errors in a solution are noticed.
 
 #include "numeric/closed_form/closed_form.hpp"
 #include "numeric/flat_punch/flat_punch.hpp"
@@ -39,7 +39,7 @@ TEST_CASE("a search that leads nowhere ends with a condition that fails") {
   const ContactProblem p = reduced({0.3_r}, {}, one_piece(-1, 1, {0, 0, 1}), 1);
   const RoundedProblem<double> problem(p, {0, 1});
   JacobiRules<double> rules;
-  // Free ends that are fixed at the support's ends cannot bear the load.
+  // Free ends that are fixed at the support's ends cannot carry the load.
   Set set(problem, {{-0.5, 0.5, false, false}});
   set.attach_to_anchor(1, Side::left, true);
   set.attach_to_anchor(set.all(Set::Kind::ends).front(), Side::right, true);
@@ -69,7 +69,7 @@ TEST_CASE("control: a displaced end is seen in the load, the equation and the cl
   const Form displaced = form_of(problem, state, rules);
   CHECK(missing_load(displaced) > 1e-8);
   CHECK(closure(displaced) > 1e-8);
-  // Without its vanishing moments the form is not the Cauchy integral of its traction.
+  // If the moments do not vanish, the form is not the Cauchy integral of its traction.
   CHECK(check_of(displaced).equation() > 1e-8);
 }
 
@@ -80,9 +80,8 @@ TEST_CASE_TEMPLATE("control: a set of the wrong kind has violations", R, double,
     ContactInterval contact;
     What seen;
   };
-  // One component where there have to be two: the traction pulls in the middle, or the other bump penetrates. Edges
-  // where the ends are free: an inclined punch that is fixed at both ends pulls at one of them, which the search
-  // repairs.
+  // One component instead of two: there is tension in the middle, or the other bump penetrates. Edges instead of free
+  // ends: an inclined punch that is fixed at both ends has tension at one of them; the search repairs it.
   const Case cases[] = {{on_two_coatings(on_two_wells.indenter(), 4.5_r), {-1.5, 1.2, false, false}, What::tension},
                         {reduced({0.3_r}, {}, two_wells(0), 0.5_r), {-1.2, -0.8, false, false}, What::penetration},
                         {reduced({0.3_r}, {}, one_piece(-1, 1, {0, 1}), 0.5_r), {-1, 1, true, true}, What::tension}};
@@ -104,14 +103,14 @@ TEST_CASE_TEMPLATE("control: a set of the wrong kind has violations", R, double,
   CHECK(violations(good->form()).empty());
 }
 
-// Its valley is looked at, however narrow it is beside its segment.
+// The search checks the valley even if it is narrow compared with its segment.
 TEST_CASE("a second bump on a support much wider than it") {
   const Rational a = 1000;
   const Indenter bumps(-100000, {{0, Polynomial({a * a, 2 * a, 1})}, {100000, Polynomial({a * a, -2 * a, 1})}});
   CHECK(solved<double>(reduced({0.3_r}, {}, bumps, 1))->contact().size() == 2U);
 }
 
-// Beyond the wedge contact reaches less than a millionth of its length.
+// Beyond the wedge, contact reaches less than a millionth of its length.
 TEST_CASE("known limit: a wedge under large friction" * doctest::should_fail()) {
   solved<double>(reduced({8}, {}, roof(-1, 1), 0.1_r));
 }
@@ -130,12 +129,12 @@ TEST_CASE("many values of friction: refused at once in more digits, solved in do
   CHECK(closed_form<Real50>(punch).reason == reason);
   const Resultants<double> powers = closed_form<double>(punch).solution->resultants();
   CHECK(std::abs(powers.normal.value - 1) <= powers.normal.error);
-  // By another route: no traction, no sum over many points.
+  // An independent computation: it uses no traction and no sum over many points.
   const double s_eff = EffectiveFriction<double>(FrictionLayout<double>::of(punch)).value().value;
   const double exact = s_eff / to_real<double>(punch.elasticity().gamma());
   CHECK(std::abs(powers.effective_friction.value - exact) < 1e-12 * exact);
   const auto cells = variational_inequality(punch).solution;
   CHECK(cells->failed_condition() == "");
-  // Control: cells longer than the strips give a number that is not this one.
+  // Control: cells longer than the strips give a different number.
   CHECK(std::abs(cells->resultants().effective_friction.value - exact) > 1e-3 * exact);
 }

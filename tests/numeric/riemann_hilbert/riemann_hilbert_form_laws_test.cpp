@@ -1,4 +1,4 @@
-// The Riemann-Hilbert form on contact sets of every kind, right or wrong: what holds for all of them.
+// Laws of the Riemann-Hilbert form on contact sets of every kind, right or wrong.
 
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/riemann_hilbert/gap_integral.hpp"
@@ -17,7 +17,7 @@ ContactProblem some_problem() {
   return reduced({0.3_r, 2, 0.5_r, 0}, {-0.5_r, 0, 1.5_r}, Indenter(-2, {{-0.5_r, a}, {1, b}, {2, c}}), Rational(7, 3));
 }
 
-/// One to three components, with edges where they can be, ends anywhere, q and tilt anything.
+/// One to three components, with edges at allowed places, free ends anywhere, and any q and tilt.
 TractionRepresentation<R> random_form(const RoundedProblem<R>& problem, JacobiRules<R>& rules) {
   ContactSet<R> set(problem, {{-1.3, 1.7, uniform(0, 1) == 0, uniform(0, 1) == 0}});
   const auto inside = [&] {
@@ -117,7 +117,7 @@ TEST_CASE("loads of segments and openings of gaps against unrelated quadratures"
       if (form.changes_polynomial(k) || form.changes_polynomial(k + 1)) continue;
       RC_ASSERT(std::abs(form.load_on(k).value - expected) <= 1e-11 * (1 + std::abs(expected)));
     }
-    // Only a form without moments that diverge is the Cauchy integral of its traction.
+    // Only a form without divergent moments is the Cauchy integral of its traction.
     if (form.degree_at_infinity() > 0) return;
     for (std::size_t k = 0; k < set.segments(); ++k) {
       if (set.in_contact(k)) continue;
@@ -148,7 +148,7 @@ TEST_CASE("the traction next to ends, jumps and wedges is that of the same form 
         };
         const Estimate<double> t = form.traction(at(set));
         const auto expected = static_cast<double>(fine.traction(at(fine.set())).value);
-        // Where B changes its sign, what is left is what rounding has left; everywhere else it is a few units.
+        // At a sign change of B only rounding errors remain; everywhere else the error is a few units.
         RC_ASSERT(std::abs(t.value - expected) <= std::max(4 * t.error, 1e-14 * std::abs(expected)));
         RC_ASSERT(t.error <= 1e-8 * std::abs(expected) + 1e-10);
       }

@@ -1,5 +1,5 @@
-// Gaps beside a contact that ends at a break of the profile, where the indenter goes on with another polynomial:
-// heights by the form against the profile less the displacement that the traction makes.
+// Gaps beside a contact that ends at a break of the profile, where the indenter continues with another polynomial.
+// Heights by the form are compared with the profile minus the displacement due to the traction.
 
 #include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "support/solved_contact.hpp"
@@ -24,14 +24,14 @@ std::vector<GapCase> cases() {
           {"two feet, an arch between", Indenter(-1, {{Rational(-1, 3), flat}, {0.25_r, between}, {1, flat}}), 2, 2}};
 }
 
-/// Contact from a step, where the traction blows up like d^-0.82, to a free end.
+/// Contact from a step, where the traction grows like d^-0.82, to a free end.
 ContactProblem edge_at_step() {
   const Polynomial profile({0, 1, 0.5_r});
   return {Elasticity(Solid(Rational(-5, 14), 1)), FrictionProfile({Rational(18, 7)}),
           Indenter(-4, {{Rational(-45, 14), profile}, {4, profile + Polynomial({-1})}}), 1};
 }
 
-/// The gap left of the step.
+/// Returns the gap to the left of the step.
 template <Real R>
 std::vector<double> openings() {
   const ContactProblem problem = edge_at_step();
@@ -67,7 +67,7 @@ TEST_CASE("gaps beside a step whose other face is another polynomial") {
           const GapIntegral<double> gap(form, j);
           const double expected = gap.profile_increment(at) - surface;
           CHECK(gap.reduced_gap(at).value == doctest::Approx(expected).epsilon(1e-10));
-          // The control: as if the polynomial of the contact went on.
+          // The control: the polynomial of the contact continued beyond the break.
           const std::size_t inside = side == End::right ? j - 1 : j;
           const double end = set.x(j);
           const double gone_on =
@@ -94,7 +94,7 @@ TEST_CASE("the gap beside an edge does not depend on how its place rounds") {
 }
 
 TEST_CASE_TEMPLATE("the corner of a step's far end touches from its closing load on", R, double, Real50) {
-  // At 0.302786423542875 the surface meets the corner at the support's end, and nothing else of that face.
+  // At the load 0.302786423542875 the surface touches the corner at the support's end, and no other point of that face.
   for (const bool mirrored : {false, true}) {
     CAPTURE(mirrored);
     const auto zones = [&](const Rational& load) {
@@ -106,7 +106,7 @@ TEST_CASE_TEMPLATE("the corner of a step's far end touches from its closing load
       const auto gap = solution->at(mirrored ? -1 : 1).gap;
       REQUIRE(gap);
       if (contact.size() == 1) CHECK(gap->value > 0);
-      // The control: a hundredth of the load's distance from closing is seen.
+      // The control: just below the closing load the gap is small.
       if (contact.size() == 1) CHECK(gap->value < 1e-9);
       if (contact.size() == 2) CHECK((mirrored ? contact[0].left : contact[1].right).kind == SingularKind::edge);
       return contact.size();
@@ -121,7 +121,7 @@ TEST_CASE_TEMPLATE("the corner of a step's far end touches from its closing load
 }
 
 TEST_CASE("a gap that closes between two places closes where it is lowest") {
-  // Another bowl beside a bowl: its lowest place is not that of its profile.
+  // A bowl beside a bowl: the lowest place of its gap is not that of its profile.
   const auto at_load = [](double load) {
     return solved<double>(reduced({0.3_r}, {},
                                   Indenter(-1, {{0.5_r, Polynomial({0, 0, 1})}, {2, Polynomial({1.6_r, -2.4_r, 1})}}),
@@ -139,6 +139,6 @@ TEST_CASE("a gap that closes between two places closes where it is lowest") {
   for (int i = 0; i <= 4000; ++i) lowest = std::min(lowest, found->at(Rational(5000 + 3 * i, 10000)).gap->value);
   CAPTURE(below);
   CHECK(lowest > -1e-9);
-  // The control: it is about to close.
+  // The control: the gap is about to close.
   CHECK(lowest < 1e-6);
 }

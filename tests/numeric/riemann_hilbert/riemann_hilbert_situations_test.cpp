@@ -1,5 +1,5 @@
-// Contact that changes its shape as the load grows: components merge, wedges, jumps and steps are reached; and contact
-// in a point.
+// Contact that changes its shape as the load grows: components merge; wedges, jumps and steps are reached; contact at a
+// point.
 
 #include "support/solved_contact.hpp"
 
@@ -28,11 +28,11 @@ TEST_CASE("two components merge") {
       const auto found = solved<double>(sloped_wells(slope, Rational(two * (1 + change))));
       const auto zones = found->contact();
       if (std::abs(change) >= 1e-9) CHECK(zones.size() == (change < 0 ? 2U : 1U));
-      // The outer ends grow with the load, whatever happens between them.
+      // The outer ends grow with the load, independently of the zones between them.
       const double now = zones.back().right.x.value - zones.front().left.x.value;
       CHECK(now >= outer - 1e-14);
       outer = now;
-      // Like a crack, the gap closes with the square root of the load that is missing.
+      // Like a crack, the gap closes with the square root of the missing load.
       if (zones.size() == 2 && change < 0) {
         const double gap = zones[1].left.x.value - zones[0].right.x.value;
         CHECK(gap > std::sqrt(-change));
@@ -44,7 +44,7 @@ TEST_CASE("two components merge") {
 }
 
 TEST_CASE("contact does not cover a step beside a jump, however near") {
-  // Two slopes with a small step at 14/25, lower on its right; friction jumps there, or a little beside it.
+  // Two slopes with a small step at 14/25, lower on its right. Friction jumps there, or slightly beside it.
   const auto problem = [](const Rational& step, const Rational& jump) {
     const Indenter indenter(
         -1, {{0.56_r, Polynomial({-0.860781_r, -0.860781_r})}, {1, Polynomial({-1.396619128_r - step, 0.0960728_r})}});
@@ -74,7 +74,7 @@ TEST_CASE("contact grows across a jump and a wedge or a step in the same place")
       const auto found =
           solved<double>(reduced({0.3_r, 0.1_r}, {1}, Indenter(-10, {{1, square}, {10, right}}), Rational(load)));
       const auto zones = found->contact();
-      // Under a heavier load the contact is larger.
+      // Under a larger load the contact is larger.
       CHECK(zones.front().left.x.value < left_end);
       left_end = zones.front().left.x.value;
       CHECK((zones.back().right.x.value > 1 || !beyond));
@@ -118,7 +118,7 @@ TEST_CASE_TEMPLATE("full contact under edges, and both faces of a step", R, doub
 }
 
 TEST_CASE_TEMPLATE("contact in a point: widths scale with the load as they must", R, double, Real50) {
-  // Near the vertex psi ~ |x|^n: width ~ P^(1/n).
+  // Near the vertex psi ~ |x|^n, so the width ~ P^(1/n).
   struct Case {
     Indenter indenter;
     int power;
@@ -140,7 +140,7 @@ TEST_CASE_TEMPLATE("contact in a point: widths scale with the load as they must"
       return R(found->state().set.span_length() * to_real<R>(found->problem().frame().unit) /
                pow(to_real<R>(P), R(1) / c.power));
     };
-    // What is left of the profile's next term is as small as the contact.
+    // The effect of the profile's next term is as small as the contact.
     const R limit = scaled_width("1e-30");
     using std::abs;
     CHECK(abs(scaled_width("1e-12") / limit - 1) < 1e-11);

@@ -35,13 +35,13 @@ TEST_CASE("the load acts where it should; its moment by an unrelated quadrature"
       const ContactProblem p = on_two_coatings(indenter, 1, Rational(i, 10));
       const auto found = solved<double>(p);
       agree(found->resultants().centre_of_pressure.value, i / 10.);
-      // In the frame the load and load_at are the form's own data.
+      // In the frame of the form, load and load_at are its own data.
       const trapezoidal::Grid<double> grid(traction_density(found->form()));
       const double moment = grid.moment(0) / grid.integral();
       agree(moment, *found->problem().load_at());
       agree(found->form().moment_of_load().value / found->problem().load(), moment);
       if (indenter.pieces()[0].profile.degree() < 0) {
-        // A load further to the right presses the right side down: psi + tilt x is lower there.
+        // If the load acts further to the right, it presses the right side down: psi + tilt x is lower there.
         CHECK(found->tilt()->value < last);
         last = found->tilt()->value;
       }

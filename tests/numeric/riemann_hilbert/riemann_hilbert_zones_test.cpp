@@ -1,4 +1,5 @@
-// Many contact zones: a fundamental solution that is near 1 between them, a pivot in each (signed_fundamental_solution.hpp).
+// Many contact zones: between them the fundamental solution is near 1, and each has a pivot
+// (signed_fundamental_solution.hpp).
 
 #include <random>
 
@@ -11,10 +12,10 @@ namespace {
 struct Zones {
   const char* name;
   ContactProblem problem;
-  bool in_digits = false;  ///< worth its time in 50 digits
+  bool in_digits = false;  ///< true: also test in 50 digits
 };
 
-/// Parabolas side by side over [0, n], a free zone under each.
+/// Parabolas side by side over [0, n], with a free zone under each.
 Indenter bumps(int n) {
   std::vector<Indenter::Piece> pieces;
   for (int i = 0; i < n; ++i) {
@@ -36,7 +37,8 @@ std::vector<Zones> zone_cases() {
           {"zones of all kinds under a load line", reduced({0.4_r, 1}, {0.5_r}, mixed, 1, -0.8_r), true}};
 }
 
-/// A solution whose form has a pivot in every component, from a contact that is off by `error` of its lengths.
+/// A solution whose form has a pivot in every component, found from a contact with lengths that are wrong by the
+/// fraction `error`.
 template <Real R>
 struct Pivoted {
   RoundedProblem<R> problem;
@@ -106,7 +108,7 @@ TEST_CASE_TEMPLATE("a pivot in each component, or one fundamental solution of al
         const R slope = one.surface_slope(here).value;
         is_near(many.surface_slope(there).value, slope, std::max(R(1), R(abs(slope))), few);
       }
-      // Gaps over the whole of a segment, from the left end of the gap it lies in.
+      // Gaps over whole segments, starting at the left end of the gap.
       std::size_t j = k;
       while (j > 0 && !one.set().point(j).is_end()) --j;
       if (one.set().in_contact(k) || !one.set().point(j).is_end()) continue;
@@ -115,7 +117,7 @@ TEST_CASE_TEMPLATE("a pivot in each component, or one fundamental solution of al
               GapIntegral<R>(one, j).reduced_gap(at(one.set())).value, R(1), few);
     }
     CHECK(highest > 0);
-    // The control: what a millionth of the load changes is seen.
+    // The control: the effect of a millionth of the load is noticed.
     const ContactProblem heavier = c.problem.with_load(c.problem.load() * 1.000001_r);
     const Pivoted<R> changed(*known, heavier, 0);
     std::size_t k = 0;
@@ -138,7 +140,7 @@ TEST_CASE("equal bumps without friction are symmetric, however many there are") 
       CHECK(zones[i].left.x.value + mirror.right.x.value == doctest::Approx(n).epsilon(1e-13));
       CHECK(zones[i].left.intensity.value == doctest::Approx(mirror.right.intensity.value).epsilon(1e-9));
     }
-    // Outer bumps carry more.
+    // The outer bumps carry more load.
     const auto width = [&](std::size_t i) { return zones[i].right.x.value - zones[i].left.x.value; };
     for (std::size_t i = 0; i + 1 < zones.size() / 2; ++i) CHECK(width(i) > width(i + 1));
   }
@@ -165,7 +167,7 @@ TEST_CASE("64 zones are where cells see them") {
 
 TEST_CASE("rough traces: many zones of many pieces, with gaps shorter than any cell between them") {
   std::mt19937_64 random(2016);
-  // The smoother a trace is, the shorter are its gaps: some have no number.
+  // The smoother a trace is, the shorter are its gaps. Some are too short for numbers.
   std::size_t unresolved = 0;
   for (const auto& trace : {std::pair(100, 0.3), {200, 0.05}, {400, 0.05}, {1000, 0.1}}) {
     const int n = trace.first;

@@ -30,7 +30,7 @@ bool close(const R& found, const Rational& exact, const R& scale) {
   return abs(found - to_real<R>(exact)) <= 64 * epsilon<R>() * scale;
 }
 
-/// The sum of the sizes of the polynomial's terms.
+/// Returns the sum of the sizes of the polynomial's terms.
 Rational size_at(const Polynomial& p, const Rational& x) {
   Rational sum = 0, power = 1;
   for (const Rational& c : p.coefficients()) {
@@ -49,14 +49,14 @@ TEST_CASE_TEMPLATE("a frame changes no slope and no height", R, double, Real50) 
     const RoundedProblem<R> reduced(p, frame);
     const Rational c = p.elasticity().compliance();
     RC_ASSERT(reduced.anchors().size() == 5U);
-    RC_ASSERT(reduced.slopes().size() == 2U);  // a step alone is no other slope
+    RC_ASSERT(reduced.slopes().size() == 2U);  // a step without another slope
     for (std::size_t k = 0; k + 1 < reduced.anchors().size(); ++k) {
       const Rational width = reduced.place(k + 1) - reduced.place(k);
       RC_ASSERT(close(reduced.spacing(k), width / frame.unit, reduced.spacing(k)));
       const std::size_t piece = k < 2 ? 0 : k - 1;
       const Polynomial& profile = p.indenter().pieces()[piece].profile;
       const Polynomial slope = profile.derivative();
-      // What rounding may do is in proportion to the terms in the frame; its origin enters them.
+      // The effect of rounding is proportional to the terms in the frame, and its origin enters them.
       const Rational reach = abs(frame.origin) * 2 + 3;
       const R scale = to_real<R>(size_at(slope, reach) / c);
       for (int i = 0; i <= 8; ++i) {
@@ -67,7 +67,7 @@ TEST_CASE_TEMPLATE("a frame changes no slope and no height", R, double, Real50) 
         RC_ASSERT(close(reduced.slope(reduced.slope_of(k), to_real<R>(xi)), slope(x) / c, scale));
         for (const Rational& step : {Rational(1, 1024), Rational(-1, 1048576), 1_r}) {
           const Rational rise = (profile(x + frame.unit * step) - profile(x)) / (c * frame.unit);
-          // Of a short interval's rise rounding spoils no more than of the slope: nothing cancels.
+          // Rounding changes the rise over a short interval no more than the slope: there is no cancellation.
           const R found = reduced.profile_increment(reduced.slope_of(k), to_real<R>(xi), to_real<R>(step));
           const Rational far = reach + frame.unit;
           RC_ASSERT(close(found, rise, to_real<R>(abs(step) * size_at(slope, far) / c)));
@@ -89,12 +89,12 @@ TEST_CASE("anchors: steps, wedges, friction to the left and to the right, and wh
   CHECK(anchors[3].wedge);
   CHECK(!anchors[1].is_break);
   for (std::size_t k = 0; k < 4; ++k) CHECK(reduced.friction_of(k) == (k < 1 ? 0 : k < 3 ? 1 : 2));
-  // Sliding towards -x turns the sign of s.
+  // Sliding towards -x changes the sign of s.
   CHECK(reduced.s(1) < 0);
   CHECK(reduced.jump(1).exponent == jump_exponent(p.coupled_friction(0), p.coupled_friction(1)));
   CHECK(reduced.jump(2).exponent.sign() == 0);
   // The profile is higher, farther from the body, on the right of the step: its left side protrudes, and contact that
-  // ends there has its right end at an edge.
+  // ends there has an edge as its right end.
   const auto edges = [&](std::size_t anchor) {
     return std::pair(reduced.edge_possible(End::left, anchor), reduced.edge_possible(End::right, anchor));
   };

@@ -1,5 +1,5 @@
-// u_t', the slope of the tangential displacement, by two routes: the form's, which has no principal value left, and the
-// trapezoidal rule on t_t = -+f t [Bal16, (2)].
+// u_t', the slope of the tangential displacement, computed in two ways: by the form, which has no principal value, and
+// by the trapezoidal rule on t_t = -+f t [Bal16, (2)].
 
 #include "numeric/interior/interior_stress_problems.hpp"
 #include "numeric/quadrature/trapezoidal.hpp"
@@ -34,7 +34,7 @@ void agree(Sliding sliding) {
       const R fraction = to_real<R>(parse_rational(part));
       const Panel<R>& panel = grid.density()[k].panel;
       const R xi = panel.left + fraction * panel.length;
-      // The same place, exactly, for both.
+      // Both use exactly the same place.
       const Rational x = frame.origin + frame.unit * Rational(static_cast<double>(xi));
       const R exact = to_real<R>((x - frame.origin) / frame.unit);
       const Node<R> node{exact, R(exact - panel.left), R(panel.right - exact)};

@@ -1,5 +1,6 @@
-// What integrals of the traction say of a place, by unrelated routes: derivatives of u and T at 50 digits, the closed form
-// against the Riemann-Hilbert method, the limits at singular points against places next to them, and cells.
+// Integrals of the traction at a place, compared with independent computations: derivatives of u and T at 50 digits,
+// the closed form against the Riemann-Hilbert method, the limits at singular points against places next to them, and
+// cells.
 
 #include "numeric/interior/interior_stress_problems.hpp"
 #include "numeric/variational/variational_inequality.hpp"
@@ -17,7 +18,7 @@ struct Derivatives {
   Real50 displacement, load;
 };
 
-/// By four places around x: an error like step^4.
+/// Derivatives from four places around x; the error is like step^4.
 Derivatives derivatives(const ContactSolution<Real50>& solution, const Rational& x) {
   Derivatives result{0, 0};
   for (const auto& [times, weight] : {std::pair(-2, 1), {-1, -8}, {1, 8}, {2, -1}}) {
@@ -28,7 +29,7 @@ Derivatives derivatives(const ContactSolution<Real50>& solution, const Rational&
   return result;
 }
 
-/// In the contact, in gaps and beyond, at no singular point.
+/// Places in the contact, in gaps and beyond, not at singular points.
 std::vector<Rational> regular_places(const ContactProblem& problem, const ContactSolution<Real50>& solution) {
   const Rational left = problem.indenter().left(), length = problem.indenter().right() - left;
   std::vector<Rational> result;
@@ -73,7 +74,7 @@ void derivatives_agree(const ContactProblem& problem, const ContactSolution<Real
   CHECK(load(problem.indenter().left() - 1) == 0);
 }
 
-/// At the limits from both sides of a singular point, and at places 1e-20 beside it.
+/// Compares the limits from both sides of a singular point with places 1e-20 beside it.
 void limits_agree(const ContactSolution<Real50>& solution) {
   for (const auto& point : solution.singular_points()) {
     if (point.kind == SingularKind::free) continue;
@@ -98,7 +99,7 @@ void limits_agree(const ContactSolution<Real50>& solution) {
   }
 }
 
-/// p ~ K (2 pi d)^lambda on the sides where there is contact.
+/// Checks p ~ K (2 pi d)^lambda on the sides with contact.
 void stress_intensities_are_limits(const ContactSolution<Real50>& solution) {
   for (const auto& point : solution.singular_points()) {
     const auto& [left, right] = point.stress_intensity;
@@ -127,7 +128,7 @@ TEST_CASE("u' and T' are the slope and the pressure") {
   const Solution zones = riemann_hilbert<Real50>(wells).solution;
   REQUIRE(zones->failed_condition() == "");
   derivatives_agree(wells, *zones);
-  // Control: another problem's solution does not fit.
+  // Control: the solution of another problem does not fit.
   CHECK_FALSE(is_near(derivatives(*parabola, 0.1_r).displacement, zones->at(0.1_r).slope.left.value, Real50("1e-3")));
 }
 

@@ -1,4 +1,5 @@
-// The largest pressure: by formulas, by the roots of a rational function, and by places all over the contact.
+// The largest pressure, compared with formulas, with the roots of a rational function, and with places all over the
+// contact.
 
 #include "numeric/interior/interior_stress_problems.hpp"
 #include "numeric/solution/highest_peak.hpp"
@@ -7,13 +8,13 @@
 
 namespace {
 
-/// Reduced: c = 1, psi = x^2/2, so that R = 1.
+/// Reduced problem: c = 1, psi = x^2/2, so that R = 1.
 ContactProblem galin(const std::vector<Rational>& s, const std::vector<Rational>& jumps = {}) {
   return reduced(s, jumps, one_piece(-4, 4, {0, 0, 0.5_r}), 1);
 }
 
-/// sum of p_j/(x - e_j) = 0 between neighbouring points, where a pressure prod |x - e_j|^p_j has its peaks if all p_j > 0:
-/// the sum falls there from +infinity to -infinity.
+/// Roots of sum of p_j/(x - e_j) = 0 between neighbouring points. A pressure prod |x - e_j|^p_j has its peaks there if
+/// all p_j > 0, because the sum falls from +infinity to -infinity.
 template <Real R>
 R largest_by_roots(const ContactSolution<R>& solution, const ContactProblem& problem) {
   using std::abs, std::pow;
@@ -144,17 +145,17 @@ TEST_CASE("random functions with many peaks: none is missed") {
     RC_ASSERT(!peaks.empty());
     double best = 0;
     for (int i = 1; i < 20000; ++i) best = std::max(best, f(i / 10000.0));
-    // At the kink the limit is the caller's.
+    // At the kink the caller has to provide the limit.
     const double limit = std::max({f(0), f(1), f(2)});
     RC_ASSERT(best <= std::max(peaks[0].value.value, limit) * (1 + 1e-9));
     RC_ASSERT(peaks[0].value.value <= std::max(best, limit) * (1 + 1e-3));
-    // A floor above all leaves none.
+    // If the floor is above all peaks, none is returned.
     RC_ASSERT(highest_peaks<double>({1, 1}, g, 10 * best).empty());
   }));
 }
 
 TEST_CASE("peaks of the same height are all found, on one panel or on two") {
-  // 1 - d^2/4, d the distance from the next of 1, 2, 3, 4; lower from the second one on
+  // 1 - d^2/4, d the distance from the nearest of 1, 2, 3, 4; lower from the second peak on
   const auto peaks_of = [](const std::vector<double>& lengths, double lower) {
     const PanelFunction<double> f = [&](std::size_t panel, const double& left, const double&) {
       const double x = left + (panel == 0 ? 0 : 3.5), d = x - std::max(std::round(x), 1.0);

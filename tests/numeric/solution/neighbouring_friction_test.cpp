@@ -1,5 +1,5 @@
-// A friction jump whose two values are almost equal: u_t' there is (f+ - f-) times an integral like 1/(f+ - f-), so that
-// what double leaves of the difference is a factor of it. Beside 50 digits.
+// A friction jump with two almost equal values. u_t' there is (f+ - f-) times an integral like 1/(f+ - f-): the error
+// of the difference in double is a factor of it. Compared with 50 digits.
 
 #include "numeric/closed_form/closed_form.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
@@ -26,7 +26,7 @@ Indenter meeting(const std::vector<Rational>& left, const std::vector<Rational>&
   return {-1, {{place, moved(left)}, {1, moved(right)}}};
 }
 
-/// The numbers of u_t' that are finite, each as near to its 50 digits as it says, and how near is said well.
+/// Compares the finite numbers of u_t' with 50 digits. Each is within its error, and the error is not much too large.
 int compare(const ContactSolution<double>& found, const ContactSolution<Real50>& truth) {
   REQUIRE(found.failed_condition() == "");
   REQUIRE(truth.failed_condition() == "");
@@ -58,7 +58,7 @@ TEST_CASE("u_t' at a jump between neighbouring frictions: a flat punch, by two m
     for (const Sliding sliding : {Sliding::plus_x, Sliding::minus_x}) {
       const ContactProblem p = on_neighbours(difference, one_piece(-1, 1, {0}), sliding);
       const auto truth = closed_form<Real50>(p).solution;
-      // The pressure vanishes at the jump from the lower to the higher s, and blows up at the other one.
+      // The pressure vanishes at the jump from the lower to the higher s, and is infinite at the other one.
       const bool vanishes = (difference > 0) == (sliding == Sliding::minus_x);
       CHECK(compare(*closed_form<double>(p).solution, *truth) == (vanishes ? 10 : 8));
       CHECK(compare(*riemann_hilbert<double>(p).solution, *truth) == (vanishes ? 10 : 8));
@@ -71,8 +71,8 @@ TEST_CASE("u_t' at a jump between neighbouring frictions, where the profile has 
     CAPTURE(to_string(difference));
     for (const Sliding sliding : {Sliding::plus_x, Sliding::minus_x}) {
       const bool vanishes = (difference > 0) == (sliding == Sliding::minus_x);
-      // Without a wedge the pressure is 0 where s rises, and the slope is finite there; also where double does not find the
-      // slopes equal at 1/10.
+      // If there is no wedge, the pressure is 0 where s rises, and the slope is finite there, even if double finds
+      // different slopes at 1/10.
       const Indenter wedge = meeting({0, -0.2_r}, {0, 0.3_r, 1}), bent = meeting({0, 0, 0.25_r}, {0, 0, 1});
       const Indenter rounded = meeting({0, 0, 1}, {0, 0, Rational(-1, 3)});
       for (const auto& [indenter, finite] :

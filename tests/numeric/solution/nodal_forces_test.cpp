@@ -1,4 +1,5 @@
-// Consistent nodal forces: the load and its moments, known values, polynomials on cells, Simpson's rule.
+// Consistent nodal forces, compared with the load and its moments, known values, polynomials on cells, and Simpson's
+// rule.
 
 #include "numeric/solution/nodal_forces.hpp"
 
@@ -17,7 +18,7 @@ std::vector<NodalForce<R>> forces_of(const ContactSolution<R>& solution, const S
   return nodal_forces<R>(solution.piecewise_traction(), mesh);
 }
 
-/// From left to right, uneven.
+/// An uneven mesh, from left to right.
 SurfaceMesh random_mesh(const Rational& left, const Rational& right, int order) {
   std::set<Rational> ends{left, right};
   for (int k = uniform(0, 6); k > 0; --k) ends.insert(left + (right - left) * Rational(uniform(1, 999), 1000));
@@ -61,7 +62,7 @@ TEST_CASE("the forces' sum is the load, their moment the load's; of order 2 the 
       RC_ASSERT(std::abs(tangential - along * whole.tangential.value) < 1e-12 * (load + whole.tangential.value));
       RC_ASSERT(std::abs(moment - whole.centre_of_pressure.value * load) < 1e-12 * load * reach);
     }
-    // A quadratic element knows x^2, a linear one has chords above it.
+    // A quadratic element represents x^2 exactly; a linear one has chords above it.
     RC_ASSERT(second[0] >= second[1] - 1e-12 * load * reach * reach);
   });
   CHECK(holds);
@@ -81,7 +82,7 @@ TEST_CASE("a frictionless punch: a half, a half; a quarter, a half, a quarter, a
   // On [0, 1/2] by x = sin u: int t = 1/6, int t x = (1 - cos(pi/6))/pi.
   const auto parts = forces_of(*solution, SurfaceMesh({-1, 0, 0.5_r, 1}, 1));
   const R moment = (1 - sqrt(R(3)) / 2) / pi<R>();
-  const R on_left = (pi<R>() / 2 - 1) / pi<R>();  // of the element [-1, 0] on its right node: 1 - (-x)
+  const R on_left = (pi<R>() / 2 - 1) / pi<R>();  // the force of the element [-1, 0] on its right node, N = 1 - (-x)
   CHECK(size_of(R(parts[1].normal.value - (on_left + R(1) / 6 - 2 * moment))) < R("1e-50"));
 }
 
@@ -130,7 +131,7 @@ TEST_CASE("cells: a constant times a polynomial, by Simpson's rule on what cells
     CHECK(std::abs(forces[i].normal.value - normal[i]) < 1e-13);
     CHECK(std::abs(forces[i].tangential.value - tangential[i]) < 1e-13);
   }
-  // The other methods' forces, to what the cells are worth.
+  // The forces of the other methods, to the accuracy of the cells.
   const auto sharp = forces_of(*riemann_hilbert<double>(jumps()).solution, mesh);
   for (std::size_t i = 0; i < 5; ++i) CHECK(std::abs(sharp[i].normal.value - normal[i]) < 0.01);
 }

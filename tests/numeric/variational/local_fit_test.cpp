@@ -1,6 +1,5 @@
-// What fits read off cells next to singular points of every kind: on cells whose means are exact, of the traction that
-// a Riemann-Hilbert form states, on such cells spoilt, and on those of the variational solver: exponents that nobody
-// told it.
+// Fits to cells next to singular points of every kind: on exact means of the traction of a Riemann-Hilbert form, on
+// such means with added errors, and on the cells of the variational solver, which does not know the exponents.
 
 #include "numeric/variational/local_fit.hpp"
 
@@ -22,8 +21,8 @@ struct CellMeans {
   Cells cells() const { return {edges, mean}; }
 };
 
-/// `count` equal cells on the support, in the user's x. Gauss's rule: exact but in the very next cells of a singular
-/// point, which no fit looks at.
+/// `count` equal cells on the support, in the user's x. Gauss's rule is exact except in the cells next to a singular
+/// point; no fit uses those.
 CellMeans cell_means(const ContactProblem& problem, const RiemannHilbertSolution<double>& solution, std::size_t count) {
   using Rule = boost::math::quadrature::gauss<double, 7>;
   const auto& form = solution.form();
@@ -63,7 +62,7 @@ CellMeans variational_means(const ContactProblem& problem, std::size_t count) {
   return result;
 }
 
-/// Where contact that begins or ends near x does so on the cells.
+/// Returns the place near x at which contact begins or ends on the cells.
 double end_on_cells(const CellMeans& cells, double x, Side contact) {
   auto i = static_cast<std::size_t>((x - cells.edges.front()) / cells.length);
   const bool right = contact == Side::right;
@@ -72,7 +71,7 @@ double end_on_cells(const CellMeans& cells, double x, Side contact) {
   return cells.edges[right ? i + 1 : i];
 }
 
-/// The next singular points of the contact on either side of point j.
+/// The neighbouring singular points of the contact on both sides of point j.
 LocalPlace local_place(const std::vector<SolvedSingularPoint<double>>& points, std::size_t j) {
   LocalPlace result{points[j].x.value};
   if (j > 0) result.left = points[j].x.value - points[j - 1].x.value;
@@ -80,8 +79,9 @@ LocalPlace local_place(const std::vector<SolvedSingularPoint<double>>& points, s
   return result;
 }
 
-/// Errors of half the value in the four cells next to each singular point that fall with the square of the distance,
-/// another error as smooth as the cells' length, and 16 `random`/d^2 at d cells that forgets itself from cell to cell.
+/// Adds errors: half of the value in the four cells next to each singular point, falling with the square of the
+/// distance; an error as smooth as the length of the cells; and 16 `random`/d^2 at a distance of d cells, independent
+/// from cell to cell.
 void spoil(CellMeans& cells, const std::vector<SolvedSingularPoint<double>>& points, double random) {
   std::mt19937 generator(2016);
   std::uniform_real_distribution<double> sign(-1, 1);
@@ -98,7 +98,7 @@ void spoil(CellMeans& cells, const std::vector<SolvedSingularPoint<double>>& poi
 struct Named {
   std::string name;
   ContactProblem problem;
-  int wedge = -1;  ///< degree of the jump of slope
+  int wedge = -1;  ///< degree of the jump of the slope
 };
 
 std::vector<Named> problems() {
@@ -122,7 +122,7 @@ std::vector<Named> problems() {
 
 struct SolvedCells {
   std::vector<SolvedSingularPoint<double>> points;
-  std::vector<Side> contact;  ///< of ends
+  std::vector<Side> contact;  ///< the side of contact at each end
   CellMeans cells;
 };
 
@@ -142,7 +142,7 @@ bool is_end(SingularKind kind) {
 }
 
 double s_at(const ContactProblem& problem, double x, Side side) {
-  // Next to x: a place in double is a jump but for rounding.
+  // Next to x: a place in double may miss the jump by rounding.
   const Rational c(x + (side == Side::left ? -1e-9 : 1e-9));
   return to_real<double>(problem.coupled_friction(problem.friction().piece(c, side)));
 }
@@ -160,7 +160,7 @@ FittedIntensity fitted_at(const Named& named, const SolvedCells& solution, std::
   return fitted_jump(cells, place, exponent, cosine(left), cosine(right), named.wedge);
 }
 
-/// The exponent by the friction of the other direction of sliding.
+/// The exponent for the opposite direction of sliding.
 double reversed(const SolvedSingularPoint<double>& point) {
   const double lambda = to_real<double>(*point.exponent);
   if (point.kind == SingularKind::free) return 1 - lambda;
@@ -172,7 +172,7 @@ std::vector<Side> sides_of(const SolvedCells& solution, std::size_t j) {
   return {Side::left, Side::right};
 }
 
-/// Does a bar hold the derived exponent, and not the one of the other direction of sliding?
+/// Checks that an error bar contains the derived exponent, and not the one of the opposite direction of sliding.
 void check_exponent(const FittedExponent& found, const SolvedSingularPoint<double>& point, double most) {
   const double lambda = to_real<double>(*point.exponent);
   CHECK(found.exponent.convergence == Convergence::reached);
@@ -181,7 +181,7 @@ void check_exponent(const FittedExponent& found, const SolvedSingularPoint<doubl
   CHECK(found.exponent.error <= most);
 }
 
-/// act(named, solution, j) at every singular point of every problem, on so many cells that `change` makes others of.
+/// Calls act(named, solution, j) at every singular point of every problem, on `count` cells that `change` modifies.
 template <class Change, class Act>
 void at_all_points(std::size_t count, const Change& change, const Act& act) {
   for (const Named& named : problems()) {
@@ -211,7 +211,7 @@ TEST_CASE("intensities and constants of exact cells") {
     CHECK(found.intensity.error <= 2e-4 * std::abs(theta));
     CHECK(found.constant.value == doctest::Approx(point.constant.value).epsilon(1e-6));
     if (!point.exponent) return;
-    // A wrong exponent is seen by its error alone.
+    // A wrong exponent is noticed by its error.
     const FittedIntensity wrong = fitted_at(named, solution, j, reversed(point));
     CHECK(wrong.intensity.error > 0.03 * std::abs(theta));
   });
@@ -231,7 +231,7 @@ TEST_CASE("the intensity of a wedge needs the step that friction makes there") {
 TEST_CASE("exponents of spoilt cells") {
   const auto spoilt = [](const Named&, SolvedCells& solution) { spoil(solution.cells, solution.points, 0); };
   at_all_points(16384, spoilt, [](const Named&, const SolvedCells& solution, std::size_t j, const Point& point) {
-    // Beside a wedge's constant a spoilt constant looks like a power: no solver spoils constants.
+    // Beside the constant of a wedge, a wrong constant looks like a power. Solvers make no wrong constants.
     if (!point.exponent || point.kind == SingularKind::wedge_and_jump) return;
     for (const Side side : sides_of(solution, j)) {
       check_exponent(fitted_exponent(solution.cells.cells(), local_place(solution.points, j), side), point, 3e-3);
@@ -272,7 +272,7 @@ TEST_CASE("noise that the fits of a family share is in the bar: how often it mis
     if (std::abs(found.value - lambda) > found.error) ++missed;
   }
   CHECK(told > 50);
-  // With the spread alone 7 miss.
+  // With the spread alone, 7 would miss.
   CHECK(missed <= 3);
   // The result of fits that agree up to noise.
   const Estimate<double> agreed = of_family({1, 1, 1.5, 1}, {0.5, 0.25, 0.25, 0.25});

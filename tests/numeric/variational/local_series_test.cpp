@@ -1,4 +1,4 @@
-// Series fitted to cells whose means are known in closed form.
+// Series fitted to cells with means in closed form.
 
 #include "numeric/variational/local_fit.hpp"
 #include "support/numeric_test.hpp"
@@ -23,7 +23,7 @@ double mean_power(std::size_t i, double power) {
   return (std::pow(left + length, power + 1) - std::pow(left, power + 1)) / ((power + 1) * length);
 }
 
-/// -2 d^lambda (1 + 3 d) + 1e-3 d^(lambda - 1), where that has means.
+/// Means of -2 d^lambda (1 + 3 d) + 1e-3 d^(lambda - 1), if that is integrable.
 std::vector<double> means(double lambda) {
   std::vector<double> result(count);
   for (std::size_t i = 1; i < count; ++i) {
@@ -55,7 +55,7 @@ TEST_CASE("bins hold the force of whole cells within the window, weighted down t
   CHECK(force == doctest::Approx(expected).epsilon(1e-10));
   CHECK(bins.front().weight < 0.1 * largest);
   CHECK(bins.back().weight < 0.1 * largest);
-  // Cells as long as their distance say too little, and there are none on the other side.
+  // Cells as long as their distance say too little. On the other side there are no cells.
   CHECK(gathered({places, mean}, 2, Side::right, {length, 0.5}).empty());
   CHECK(gathered({places, mean}, 2, Side::left, window).empty());
 }
@@ -70,7 +70,7 @@ TEST_CASE("a series that holds the truth finds it") {
     CHECK(fit.amplitude == doctest::Approx(-2).epsilon(1e-9));
     CHECK(fit.first_pole == doctest::Approx(1e-3).epsilon(1e-8));
     CHECK(std::sqrt(fit.square) < 1e-9);
-    // Without the pole, without the second term, with another power: not.
+    // Fits without the pole, without the second term, or with another power fail.
     const SeriesFit wrong[] = {fitted(bins, {.exponent = lambda, .terms = 2}, lambda),
                                fitted(bins, {.exponent = lambda, .poles = 1, .terms = 0}, lambda),
                                fitted(bins, {.exponent = lambda + 0.01, .poles = 1, .terms = 2}, lambda)};
@@ -103,7 +103,7 @@ TEST_CASE("a peak so small that t grows over most of the window is seen") {
     }
     const LocalPlace place{0, 2, 1};
     CHECK(fitted_exponent({places, mean}, place, Side::right).exponent.value == doctest::Approx(lambda).epsilon(1e-6));
-    // Without the peak it is the next power.
+    // The result is the next power if there is no peak.
     CHECK(fitted_exponent({places, without}, place, Side::right).exponent.value ==
           doctest::Approx(lambda + 1).epsilon(1e-6));
   }

@@ -1,4 +1,4 @@
-// What the cells see of friction and profile, against exact rational integrals.
+// Integrals of friction and profile over cells, compared with exact rational integrals.
 
 #include "numeric/number/real.hpp"
 #include "numeric/variational/cell_data.hpp"
@@ -8,8 +8,8 @@ using namespace steadyslide::numeric::variational;
 
 namespace {
 
-// Support [1, 5]; four cells meet at 2, 3, 4. Jumps inside cells, at a cell's end, two in one cell; profile with a
-// wedge inside a cell and a step at a cell's end, in other cells than the jumps and in the same.
+// Support [1, 5] with four cells, which meet at 2, 3, 4. Jumps inside cells, at a cell's end, two in one cell; a
+// profile with a wedge inside a cell and a step at a cell's end, in other cells than the jumps and in the same.
 const Indenter indenter(1, {{1.5_r, Polynomial({1, 2, Rational(1, 3)})},
                             {3, Polynomial({0, -1, 0, 0, 0.2_r})},
                             {3.8_r, Polynomial({7})},
@@ -20,12 +20,12 @@ ContactProblem problem_with(Sliding sliding) {
   return {Elasticity(Solid(0.2_r, 3)), friction, indenter, 3.5_r, sliding};
 }
 
-/// Where friction does not change.
+/// Returns s at a place at which friction does not change.
 Rational s_at(const ContactProblem& problem, const Rational& x) {
   return problem.coupled_friction(problem.friction().piece(x, Side::left));
 }
 
-/// The sum of f(from, to) over the stretches of [left, right] on which friction and profile are one function each.
+/// Returns the sum of f(from, to) over the parts of [left, right] on which friction and profile are one function each.
 template <class F>
 Rational sum_of(const ContactProblem& problem, const Rational& left, const Rational& right, const F& f) {
   std::set<Rational> ends{left, right};
@@ -36,7 +36,7 @@ Rational sum_of(const ContactProblem& problem, const Rational& left, const Ratio
   return sum;
 }
 
-/// int s from one place to a later one, in the user's x.
+/// Returns int s from one place to a later one, in the user's x.
 Rational integral_of_s(const ContactProblem& problem, const Rational& from, const Rational& to) {
   const auto over = [&](const Rational& a, const Rational& b) {
     return Rational(s_at(problem, (a + b) / 2) * (b - a));
@@ -44,7 +44,8 @@ Rational integral_of_s(const ContactProblem& problem, const Rational& from, cons
   return sum_of(problem, from, to, over);
 }
 
-/// Mean over the cell of int s from its left end, or to its right end with the sign of -s: linear between the nodes.
+/// The mean over the cell of int s from its left end, or to its right end with the sign of -s. The integral is linear
+/// between the nodes.
 Rational own_by_trapezia(const ContactProblem& problem, const Rational& left, const Rational& right, int sign) {
   const auto felt = [&](const Rational& at) -> Rational {
     return sign > 0 ? integral_of_s(problem, left, at) : Rational(-integral_of_s(problem, at, right));
@@ -55,7 +56,7 @@ Rational own_by_trapezia(const ContactProblem& problem, const Rational& left, co
 
 Rational height(const Rational& x) { return indenter.profile(x, Side::left)(x); }
 
-/// Mean of the profile over the cell, by its antiderivative.
+/// The mean of the profile over the cell, by its antiderivative.
 Rational mean_height(const ContactProblem& problem, const Rational& left, const Rational& right) {
   const auto over = [](const Rational& a, const Rational& b) {
     std::vector<Rational> raised{0};
@@ -88,7 +89,7 @@ TEST_CASE("friction within cells, whichever way the indenter slides") {
         CHECK(std::abs(found.whole[at] - whole) <= 1e-15);
         CHECK(std::abs(found.own[at] - own) <= 1e-15);
         CHECK(own >= 0);
-        // Control: half of the whole is the mean only where s is constant; with 40 cells all jumps are at their ends.
+        // Control: half of the whole is the mean only for constant s. With 40 cells all jumps are at cells' ends.
         differs = differs || std::abs(sign * whole / 2 - own) > 1e-5;
       }
       CHECK(differs == (cells != 40));

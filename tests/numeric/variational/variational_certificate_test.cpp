@@ -1,4 +1,5 @@
-// The certificate of a state on cells: a solution is accepted, and what is wrong in one way alone is refused for that.
+// The certificate of a state on cells: a solution is accepted, and each state with a single fault is refused for that
+// fault.
 
 #include "numeric/variational/certificate.hpp"
 #include "numeric/variational/nested_solve.hpp"
@@ -6,7 +7,7 @@
 
 namespace {
 
-/// A parabola on two coatings; with a load at a place it tilts.
+/// A parabola on two coatings. With `load_at` it may tilt.
 DiscreteProblem parabola(const std::optional<Rational>& load_at = std::nullopt) {
   return on_cells(reduced({0.25_r, 0.5_r}, {0}, one_piece(-1, 1, {0, 0, 4}), 1, load_at), 120);
 }

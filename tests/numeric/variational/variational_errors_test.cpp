@@ -1,4 +1,4 @@
-// Do the cells know how well they know the contact's ends? Beside Riemann-Hilbert solutions.
+// Tests the estimated errors of contact ends on cells, compared with Riemann-Hilbert solutions.
 
 #include "numeric/variational/variational_inequality.hpp"
 #include "support/random_contact.hpp"
@@ -8,8 +8,8 @@ namespace {
 
 struct Count {
   int ends = 0, uncovered = 0;
-  int wide = 0;  ///< errors of more than ten cells
-  int none = 0;  ///< ends of gaps that may be none
+  int wide = 0;  ///< number of errors of more than ten cells
+  int none = 0;  ///< number of ends of gaps that may not exist
 };
 
 double nearest(const std::vector<ContactComponent<double>>& contact, bool left, double x) {
@@ -18,7 +18,7 @@ double nearest(const std::vector<ContactComponent<double>>& contact, bool left, 
   return least;
 }
 
-/// Every end lies within its error of a true one, unless the error says that its gap may be none.
+/// Checks that every end lies within its error of a true one, unless the error says that its gap may not exist.
 void compare(Count& count, const ContactProblem& problem, const ContactSolution<double>& exact,
              const VariationalOptions& options) {
   const std::size_t cells = options.cells;
@@ -72,7 +72,7 @@ TEST_CASE("a strong fall of s: ends are within their errors, and a gap that is n
     }
     CAPTURE(s);
     CHECK(count.uncovered == 0);
-    // Up to s = 2 equations are means over cells, which ring a little. Beyond nothing does.
+    // Up to s = 2 the equations are means over cells, which oscillate slightly. Beyond that nothing oscillates.
     if (s > 2) CHECK(count.none == 0);
     if (s == 2) CHECK(count.none >= 5);
   }
@@ -90,7 +90,7 @@ TEST_CASE("by means alone cells ring where s falls strongly, and their ends know
   }
   CHECK(count.uncovered == 0);
   CHECK(count.none >= 10);
-  // A gap opens behind the left edge, where the traction blows up like d^(-0.94).
+  // A gap opens behind the left edge, where the traction grows like d^(-0.94).
   const auto contact = variational_inequality(on_falling_friction(5, 0.5_r), by_means(4096)).solution->contact();
   REQUIRE(contact.size() == 2);
   CHECK(contact[1].left.x.error >= contact[1].left.x.value - contact[0].right.x.value);
@@ -132,7 +132,7 @@ TEST_CASE("random problems: nearly all ends are within their errors, most of whi
 }
 
 TEST_CASE("a gap that half as many cells do not show is in doubt; the other ends and the forces are not") {
-  // The gap over a notch grows with its angle, from nothing to many cells.
+  // The gap over a notch grows with its angle, from zero to many cells.
   int met = 0;
   for (int k = 200; k < 900; k += 10) {
     const Rational slope(k, 1000);

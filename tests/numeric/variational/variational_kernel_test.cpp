@@ -1,4 +1,4 @@
-// Means of the logarithm over pairs of cells, against their exact formula at 100 digits.
+// Means of the logarithm over pairs of cells, compared with their exact formula at 100 digits.
 
 #include <random>
 
@@ -18,7 +18,7 @@ Real100 exact_mean(double a, double b, double c, double d) {
   return sum / ((Real100(b) - a) * (Real100(d) - c));
 }
 
-/// Relative, absolute where the mean is below 1.
+/// The relative error; absolute if the mean is below 1.
 double error(double value, const Real100& exact) {
   const Real100 difference = abs(value - exact);
   return (difference / std::max(1.0, std::abs(value))).convert_to<double>();
@@ -28,7 +28,7 @@ struct Cells {
   double a, b, c, d;
 };
 
-/// Lengths and distances over eight decades; the first cell starts anywhere in the support.
+/// Lengths and distances over eight decades. The first cell starts anywhere in the support.
 Cells random_cells(std::mt19937& random, bool meet) {
   std::uniform_real_distribution<double> place(-0.5, 0.5), decades(-8, 0);
   const double a = place(random), b = a + std::pow(10, decades(random));
@@ -77,7 +77,7 @@ TEST_CASE("unit cells at any distance, to the last digits") {
     const auto x = static_cast<double>(k);
     const Real100 exact = exact_mean(0, 1, x, x + 1);
     CHECK(error(mean_log_of_unit_cells(k), exact) <= 4e-16);
-    // Control: one more term than log k counts up to where 1/(12 k^2) is no longer seen.
+    // Control: one more term than log k changes the result until 1/(12 k^2) is below rounding.
     if (k > 0 && k < 100000) CHECK(error(std::log(x), exact) > 4e-16);
   }
 }

@@ -1,4 +1,4 @@
-// Lemke's method: solutions of the random list, all solutions of small problems, and what it must refuse.
+// Lemke's method: solutions of the random list, all solutions of small problems, and refusals.
 
 #include "numeric/variational/lemke.hpp"
 #include "support/cells.hpp"
@@ -24,7 +24,7 @@ double residual_of(const DiscreteProblem& problem, const CellSet& contact) {
   return natural_residual(problem, solve(*dense_system(problem, contact), problem).state);
 }
 
-/// Cells within `reach` of a cell of the other kind.
+/// Returns the cells within `reach` of a cell of the other kind.
 std::vector<std::size_t> next_to_changes(const CellSet& set, std::size_t reach) {
   CellSet near(set.size(), 0);
   for (std::size_t i = 0; i < set.size(); ++i) {
@@ -43,7 +43,7 @@ ContactProblem punch(const std::vector<Rational>& profile, const Rational& f, co
   return reduced({f / 2}, {}, one_piece(-1, 1, profile), 1, load_at, sliding);
 }
 
-/// On cells that are shorter the nearer they are to 0.
+/// Cells that are shorter nearer to 0.
 DiscreteProblem graded(const ContactProblem& problem, double smallest) {
   return {problem, CellMesh(problem, 0, graded_edges(-0.5, 0.5, smallest, 1.4, 0.02))};
 }
@@ -120,7 +120,7 @@ TEST_CASE("strong friction, cells of very different lengths") {
 }
 
 TEST_CASE("mirrored problems have mirrored solutions, from whichever side the path comes") {
-  // Pivots after which the first path on 64 cells gives way to the next one.
+  // Number of pivots after which the first path on 64 cells is given up for the next one.
   constexpr int given_up = 4 * 64 + 16;
   int longest = 0;
   for (const int f : {1, 20}) {
@@ -133,9 +133,9 @@ TEST_CASE("mirrored problems have mirrored solutions, from whichever side the pa
       REQUIRE(reflected.reached);
       meets_its_loads(other, reflected.state);
       CHECK(std::equal(found.contact.begin(), found.contact.end(), reflected.contact.rbegin()));
-      // Control: the problem itself is not its mirror image.
+      // Control: the problem is not its own mirror image.
       if (load_at) CHECK(found.contact != reflected.contact);
-      // At most one path is given up, then comes the mirrored one.
+      // At most one path is given up; then the mirrored one follows.
       if (load_at) CHECK(reflected.pivots <= given_up + found.pivots);
       longest = std::max(longest, reflected.pivots);
     }
@@ -165,7 +165,7 @@ TEST_CASE("contested cells find their places again, alone or around what is cert
         CHECK(found);
       }
     }
-    // Control: what was given to begin with is no solution.
+    // Control: the starting set is not a solution.
     if (start != whole.contact) CHECK(residual_of(discrete, start) > 1e-6);
 
     const LemkeResult among = lemke_among(discrete, cells_of(whole.contact), 2000);

@@ -1,6 +1,6 @@
-// Galerkin's operator: products against entries, signs, and the equations of one contact set, by a factorisation and by
-// Krylov's method: from few products whatever the mesh. Their number is what the preconditioner is for; nothing else
-// shows whether it has the friction's sign right.
+// Galerkin's operator: products are compared with sums of entries; signs; the equations of one contact set by a
+// factorisation and by Krylov's method, which needs few products on any mesh. The number of products tests the
+// preconditioner; only this shows whether the preconditioner has the right sign of friction.
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <numbers>
@@ -45,14 +45,14 @@ CellMesh graded(const ContactProblem& problem) {
   return {problem, middle, graded_edges(-0.5, 0.5, 1e-9, 1.4, 0.05)};
 }
 
-/// A parabola under s up to 3/2, or so many times as strong, on cells of which the middle three quarters are in contact.
+/// A parabola under s up to 3/2, times `strong`. The middle three quarters of the cells are in contact.
 DiscreteProblem coated(std::size_t cells, Sliding sliding, const std::optional<Rational>& load_at, int strong = 1) {
   const ContactProblem problem = reduced({0.5_r * strong, 1.5_r * strong, 1}, {Rational(-1, 3), 0},
                                          one_piece(-1, 1, {0, 0, 1}), 1, load_at, sliding);
   return {problem, CellMesh(problem, cells), FrictionRule::damped};
 }
 
-/// Contact on the cells first..end-1.
+/// Contact on the cells from first to end - 1.
 CellSet from_to(std::size_t cells, std::size_t first, std::size_t end) {
   CellSet contact(cells, 0);
   for (std::size_t i = first; i < end; ++i) contact[i] = 1;
@@ -61,7 +61,7 @@ CellSet from_to(std::size_t cells, std::size_t first, std::size_t end) {
 
 CellSet middle(std::size_t cells) { return from_to(cells, cells / 8, cells - cells / 8); }
 
-/// So many zones of lengths between a half and four fifths of their share of the cells.
+/// `zones` zones; each has between a half and four fifths of its share of the cells.
 CellSet zones_apart(std::size_t cells, std::size_t zones) {
   CellSet contact(cells, 0);
   for (std::size_t i = 0; i < cells; ++i) {
@@ -76,8 +76,8 @@ SystemSolution by_krylov(const DiscreteProblem& problem, const CellSet& contact,
   return solve(*krylov_system(problem, contact, nothing(problem), 1e-11, hull), problem);
 }
 
-/// Krylov's method on so many cells of which `contact` are in contact, whatever the sense of sliding and the friction: in
-/// at most so many products where friction is as usual, and where it is stronger.
+/// Solves by Krylov's method with `contact` in contact, for both directions of sliding and several frictions. Checks
+/// the number of products: at most `usual` for ordinary friction, at most `stronger` for larger friction.
 void check_products(std::size_t cells, const CellSet& contact, int usual, int stronger) {
   for (const Sliding sliding : {Sliding::plus_x, Sliding::minus_x}) {
     for (const int strong : {1, 4, 20}) {
@@ -132,7 +132,7 @@ TEST_CASE("no entry is negative, no eigenvalue of the logarithm's circulant is, 
       for (std::size_t i = 0; i < b.size(); ++i) {
         for (std::size_t j = 0; j < b.size(); ++j) least = std::min(least, b.entry(i, j));
         least_on_diagonal = std::min(least_on_diagonal, b.entry(i, i));
-        // Control: counted from the other end, friction would enter with the other sign.
+        // Control: counted from the other end, friction has the opposite sign.
         for (std::size_t j = 0; j < i; ++j)
           least_slip_before = std::min(least_slip_before, -b.friction_entry(i, j) - b.friction_entry(j, i));
       }
@@ -143,7 +143,7 @@ TEST_CASE("no entry is negative, no eigenvalue of the logarithm's circulant is, 
   }
   CHECK(senses == 3);
   const ContactProblem problem = listed_contact(0);
-  // One cell alone has a constant for a circulant.
+  // With one cell the circulant is a constant.
   for (std::size_t n : {2U, 3U, 4U, 5U, 7U, 8U, 64U, 100U, 1000U, 4096U, 10000U}) {
     CAPTURE(n);
     const CellMesh mesh(problem, n);
@@ -196,7 +196,7 @@ TEST_CASE("the damped rule asks at the end of a cell where s is strong, and nowh
       for (std::size_t j = 0; j < 40; ++j) {
         if (!strong) CHECK(damped.entry(i, j) == means.entry(i, j));
         if (!strong) continue;
-        // No place of the cell's own, and s is one number in each cell.
+        // The place xi is an end of the cell, and s is constant in each cell.
         const double xi = right ? mesh.right(i) : mesh.left(i);
         const double from = std::abs(mesh.centre(j) - xi) - mesh.length(j) / 2;
         const double logarithm =
@@ -261,7 +261,7 @@ TEST_CASE("Krylov's method and the factorisation solve the same system") {
     for (const auto& load_at : {std::optional<Rational>(), std::optional(0.1_r)}) {
       for (const int strong : {1, 20}) {
         const DiscreteProblem problem = coated(400, sliding, load_at, strong);
-        // 400/150 cells a zone: many have one cell, and some zones are taken together.
+        // With 400/150 cells a zone, many zones have one cell, and some zones are combined.
         for (const CellSet& contact : {middle(400), zones_apart(400, 12), zones_apart(400, 150)}) {
           const DiscreteState dense = solve(*dense_system(problem, contact), problem).state;
           const DiscreteState found = by_krylov(problem, contact).state;
@@ -297,7 +297,7 @@ TEST_CASE("what zones do to each other is found once for contacts that are nearl
   const int first = by_krylov(problem, contact, hull).products;
   contact[0] = 0;
   CHECK(by_krylov(problem, contact, hull).products == first - ZoneCoupling::points);
-  // Another zone is another matter.
+  // With another zone the result differs.
   contact[390] = 1;
   CHECK(by_krylov(problem, contact, hull).products >= first);
 }
@@ -311,7 +311,7 @@ TEST_CASE("zones of contact lie between the widest gaps") {
   using Zones = std::vector<std::array<std::size_t, 2>>;
   CHECK(zones(4) == Zones{{3, 2}, {6, 1}, {10, 2}, {15, 1}});
   CHECK(zones(3) == Zones{{3, 4}, {10, 2}, {15, 1}});
-  // Of two gaps as wide as each other none is wider.
+  // If two gaps have the same width, neither is wider.
   CHECK(zones(2) == Zones{{3, 13}});
   CHECK(zones(1) == Zones{{3, 13}});
 }

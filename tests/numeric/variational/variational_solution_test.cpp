@@ -1,4 +1,4 @@
-// Solutions on cells beside Riemann-Hilbert solutions of the same problems, quantity by quantity.
+// Solutions on cells are compared with Riemann-Hilbert solutions of the same problems, for each quantity.
 
 #include "numeric/variational/variational_solution.hpp"
 #include "numeric/variational/variational_inequality.hpp"
@@ -13,13 +13,13 @@ std::shared_ptr<const VariationalSolution> solved_on_cells(const ContactProblem&
   return std::dynamic_pointer_cast<const VariationalSolution>(attempt.solution);
 }
 
-/// Within a few times the error that the estimate gives itself, and that error within a bound.
+/// Checks that the difference is at most a few times the estimated error, and that this error is within a bound.
 void agree(const Estimate<double>& found, const Estimate<double>& truth, double bound) {
   CHECK(std::abs(found.value - truth.value) <= 3 * found.error + 1e-12);
   CHECK(found.error <= bound * std::max(1.0, std::abs(truth.value)));
 }
 
-/// Forces know their own errors: within one.
+/// The errors of forces are reliable: the difference is within one error.
 void agree_in_force(const Estimate<double>& found, const Estimate<double>& truth) {
   CHECK(std::abs(found.value - truth.value) <= found.error + 1e-12);
   CHECK(found.error <= 2e-3 * std::max(1.0, std::abs(truth.value)));
@@ -79,7 +79,7 @@ void agree_everywhere(const ContactProblem& problem) {
   }
 }
 
-/// A polygon in the parabola x^2/4 over [-1, 1], a wedge every hundredth; the one at -1/10 is sharper by `bend`.
+/// A polygon in the parabola x^2/4 over [-1, 1] with a wedge every hundredth. The wedge at -1/10 is sharper by `bend`.
 Indenter polygon(const Rational& bend) {
   std::vector<Indenter::Piece> pieces;
   Rational height = 0.25_r;
@@ -117,7 +117,7 @@ TEST_CASE("a step, two zones, a tilting punch") {
 }
 
 TEST_CASE("an end where friction jumps has the friction of the contact's side, in any frame") {
-  // Cells of 1/128: one of these jumps lies where contact ends. Found by 400 random laws.
+  // Cells of the length 1/128: one of these jumps is at an end of contact. Found by 400 random laws.
   int met = 0;
   for (int k = 45; k < 65; ++k) {
     const Rational jump = -0.1_r + Rational(k, 128);
@@ -144,7 +144,7 @@ TEST_CASE("control: another load is another solution") {
 }
 
 TEST_CASE("jumps of friction and loads within cells") {
-  // 1/3 is no cell's end; 17 cells are few: the load shares add up and the load is met to rounding.
+  // 1/3 is not the end of a cell, and 17 cells are few. The load shares still add up, and the load is met to rounding.
   const ContactProblem problem = reduced({0.1_r, 0.5_r}, {Rational(1, 3)}, one_piece(-1, 1, {0, 0, 0.1_r}), 1);
   const auto cells = solved_on_cells(problem, 17);
   const auto r = cells->resultants();
@@ -152,7 +152,7 @@ TEST_CASE("jumps of friction and loads within cells") {
   CHECK(r.normal.value == doctest::Approx(1).epsilon(1e-13));
   CHECK(cells->residuals().load <= 1e-13);
   CHECK(cells->contact().front().left.kind == SingularKind::edge);
-  // Too few cells for an intensity: not known, and said so by the error.
+  // There are too few cells for an intensity: it is not known, and its error is infinite.
   CHECK(std::isinf(cells->contact().front().left.intensity.error));
 }
 
@@ -178,7 +178,7 @@ TEST_CASE("a pressure is infinite on any mesh, and where its logarithm is strong
     CHECK_FALSE(found.exponent);
     CHECK(std::abs(found.x.value - exact.x.value) <= found.x.error + exact.x.error);
   }
-  // Under a jump up the strongest power comes first, on cells of any number; a jump down has none, and there is no wedge.
+  // At a jump up the strongest power comes first, for any number of cells. A jump down has none, and there is no wedge.
   const Indenter parabola = one_piece(-1, 1, {0, 0, 2.5_r});
   for (const std::size_t cells : {64, 256, 4096}) {
     CAPTURE(cells);
@@ -226,7 +226,7 @@ TEST_CASE("a search: where s does not decrease all starts agree, and what they a
   CHECK(search.solutions.front().times == 12);
   REQUIRE(search.solutions.front().refined);
   CHECK(fault(*search.solutions.front().refined) == "");
-  // Control: what ended in no solution is counted, not compared.
+  // Control: states that are not solutions are counted, not compared.
   options.most_steps = 1;
   const SolutionSearch hurried = search_solutions(problem, 3, options);
   CHECK(hurried.unsolved == 3);

@@ -1,4 +1,4 @@
-// The powers of the distance with which the pressure grows at both edges of a punch, gamma = 2/7, f = 3/10.
+// The powers of the distance in the pressure at both edges of a punch, gamma = 2/7, f = 3/10.
 
 #include <iostream>
 

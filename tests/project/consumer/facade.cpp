@@ -1,4 +1,4 @@
-// The facade's header comes without those of other projects.
+// The facade's header includes no header of other projects.
 #include <iostream>
 #include <steadyslide/steadyslide.hpp>
 

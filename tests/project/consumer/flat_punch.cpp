@@ -1,4 +1,4 @@
-// The load of a flat punch comes back out of its traction, in double precision.
+// The traction of a flat punch gives back its load, in double precision.
 
 #include <cmath>
 #include <iostream>

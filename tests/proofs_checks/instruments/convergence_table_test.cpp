@@ -1,5 +1,5 @@
-// The section "Convergence tables" of docs/cost.md holds what the library computes. Numbers may differ in their last printed digit
-// from machine to machine.
+// The section "Convergence tables" of docs/cost.md has the numbers that the library computes. The last printed digit of a
+// number may differ between machines.
 
 #include "proofs_checks/instruments/convergence/convergence_table.hpp"
 #include "proofs_checks/proof/markdown.hpp"
@@ -10,7 +10,7 @@ using namespace steadyslide::proofs_checks;
 namespace {
 
 using Row = std::vector<std::string>;
-/// By section, the columns of the table and the row's first two cells.
+/// Tables by section. A row's key: the columns of the table and the first two cells.
 using Tables = std::map<std::string, Row>;
 
 Row cells_of(const std::string& line) {
@@ -34,7 +34,7 @@ Tables tables_of(const std::string& document) {
       columns = line;
     } else if (!line.starts_with("| ---")) {
       const Row cells = cells_of(line);
-      // An end in cells is no name of a row.
+      // An end in cells does not identify a row.
       const bool exponents = columns.starts_with("| x ");
       tables[section + columns + cells[0] + (exponents ? cells[1] : "")] = cells;
     }
@@ -42,7 +42,7 @@ Tables tables_of(const std::string& document) {
   return tables;
 }
 
-/// Two digits in the last place; of a mantissa without decimals, as error bars have, a factor of two.
+/// Tolerance: two units in the last place; a factor of two for a mantissa without decimals, as error bars have it.
 bool is_close(const std::string& one, const std::string& other) {
   if (one == other) return true;
   if (one.empty() || other.empty()) return false;
@@ -57,7 +57,7 @@ bool is_close(const std::string& one, const std::string& other) {
   return std::abs(a - b) <= (point == std::string::npos ? 0.5 : 0.12) * largest;
 }
 
-/// Rows of one document that the other lacks or has otherwise.
+/// Returns the rows of one document that are absent or different in the other.
 std::vector<std::string> differences(const Tables& some, const Tables& all) {
   std::vector<std::string> result;
   for (const auto& [name, row] : some) {
@@ -83,7 +83,8 @@ std::string until_first_table(const std::string& document) { return document.sub
 TEST_CASE("docs/cost.md holds the rows of a quick run") {
   const std::string document = convergence_document(true);
   const Tables quick = tables_of(document);
-  // Errors of eight problems, and what is proved of the four where s nowhere falls and the profile has no step.
+  // Errors of eight problems, and proved bounds for the four problems in which s nowhere falls and the profile has no
+  // step.
   CHECK(quick.size() == (8 + 4) * 4);
   CHECK(differences(quick, tables_of(checked_in())) == std::vector<std::string>{});
   CHECK(until_first_table(document) == until_first_table(checked_in()));

@@ -1,4 +1,4 @@
-// What claims say, and what of it may stay undecided. By structure: the ledger is not run.
+// The texts of claims, and the parts of claims that may stay undecided. By structure: the ledger is not run.
 
 #include "proofs_checks/kit/registry.hpp"
 #include "proofs_checks/kit/run.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 bool is_balanced(const std::string& text) { return std::ranges::count(text, '`') % 2 == 0; }
 
-/// No formula is empty, and none begins or ends with a space: a backtick was forgotten there.
+/// Checks that no formula is empty, and that none begins or ends with a space: there a backtick is missing.
 bool has_whole_formulas(const std::string& text) {
   for (std::size_t open = text.find('`'); open != std::string::npos;) {
     const std::size_t close = text.find('`', open + 1);
@@ -21,7 +21,7 @@ bool has_whole_formulas(const std::string& text) {
   return true;
 }
 
-/// Such a claim has nothing to be run: no controls, and its examination answers at once.
+/// Such a claim has nothing to run: it has no controls, and its examination answers at once.
 std::optional<BeyondCalculation> beyond(const Claim& claim) {
   if (!claim.controls.empty()) return std::nullopt;
   const std::vector<Evidence> evidence = claim.examine({});
@@ -29,7 +29,7 @@ std::optional<BeyondCalculation> beyond(const Claim& claim) {
   return std::get<BeyondCalculation>(evidence.front());
 }
 
-/// Of undecided entries, by id: the rows of the table in docs/proofs.md.
+/// Returns the reasons of undecided entries, by id: the rows of the table in docs/proofs.md.
 std::map<std::string, std::string> documented_reasons() {
   std::map<std::string, std::string> reasons;
   bool in_part = false;
@@ -52,7 +52,7 @@ TEST_CASE("every claim says what is stated, what is assumed and how it follows, 
       CHECK(is_balanced(*text));
       CHECK(has_whole_formulas(*text));
     }
-    if (!claim.controls.empty()) CHECK_FALSE(claim.derivation.empty());  // else beyond calculation
+    if (!claim.controls.empty()) CHECK_FALSE(claim.derivation.empty());  // otherwise beyond calculation
   }
 }
 

@@ -7,7 +7,7 @@ namespace {
 
 constexpr int draws = 20000;
 
-/// Of so many draws with this chance the number is within five standard deviations.
+/// Checks that the number found in so many draws with this chance is within five standard deviations.
 void check_chance(int found, double chance) {
   CHECK_MESSAGE(std::abs(found - chance * draws) <= 5 * std::sqrt(draws * chance * (1 - chance)), found,
                 " in place of ", chance * draws);
@@ -36,7 +36,7 @@ TEST_CASE("random parameters stay in their ranges and depend on seed and stream 
 TEST_CASE("one body in eight is nearly incompressible, one in eight nearly at the other end") {
   Random random(11, "poisson");
   const Rational near(1, 1000);
-  // Of those drawn over the whole range 6 of the 9972 fractions of one of four denominators lie so close as well.
+  // 6 of the 9972 fractions with one of the four denominators, drawn over the whole range, are also that close.
   const double by_chance = 6.0 / 8 / 4 * 6 / 9972;
   int incompressible = 0, other_end = 0;
   for (int k = 0; k < draws; ++k) {
@@ -58,7 +58,8 @@ TEST_CASE("one friction in ten is zero, the others come from ranges of three siz
     medium += f >= 1 && f < 5 ? 1 : 0;
   }
   check_chance(zero, 0.1);
-  // 0 to 1, 0 to 5 and 0 to 50, each with 3/10; multiples of 1/7 among four kinds of fractions shift this a little.
+  // 0 to 1, 0 to 5 and 0 to 50 have the chance 3/10 each. Multiples of 1/7, one of four kinds of fractions, change this
+  // slightly.
   const double below_1[] = {1, (1.0 / 6 + 12.0 / 63 + 199.0 / 999 + 1994.0 / 9972) / 4,
                             (0.0 + 1.0 / 63 + 19.0 / 999 + 199.0 / 9972) / 4};
   const double below_5_of_50 = (0.0 + 6.0 / 63 + 99.0 / 999 + 997.0 / 9972) / 4;
@@ -73,7 +74,7 @@ TEST_CASE("every numerator of every denominator is drawn, and as often") {
   for (int p = 1; p < 7; ++p) check_chance(count[Rational(p, 7)], 1.0 / 4 / 6);
   int of_64 = 0;
   for (int p = 1; p < 64; ++p) of_64 += count[Rational(p, 64)];
-  // 1000 is divisible by 8: 1/8, ..., 7/8 are drawn from there as well.
+  // 1000 is divisible by 8: 1/8, ..., 7/8 come from there as well.
   check_chance(of_64, 1.0 / 4 + 7.0 / 999 / 4);
 }
 

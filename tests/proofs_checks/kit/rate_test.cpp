@@ -30,8 +30,8 @@ TEST_CASE("a power is found, and the scatter shows in the error bar") {
 }
 
 TEST_CASE("the error bar by hand: what three points leave over") {
-  // log(error) at log(cells) = 1, 2, 3 is 5 - 2 log(cells) plus d, -2 d, d, which no line takes up. The squares left
-  // over add up to 6 d^2, one degree of freedom remains, and the squares of log(cells) about their mean add up to 2.
+  // log(error) at log(cells) = 1, 2, 3 is 5 - 2 log(cells) plus d, -2 d, d, which no line can fit. The remaining
+  // squares add up to 6 d^2, one degree of freedom remains, and the squares of log(cells) about their mean add up to 2.
   for (const double d : {0.01, 0.25, -1.0}) {
     const auto level = [](double x, double y) { return Level{std::exp(x), std::exp(5 - 2 * x + y)}; };
     const Rate rate = fitted_rate(std::vector<Level>{level(1, d), level(2, -2 * d), level(3, d)});
@@ -41,7 +41,8 @@ TEST_CASE("the error bar by hand: what three points leave over") {
 }
 
 TEST_CASE("the error bar covers the truth as often as Student's distribution says") {
-  // Nine levels leave seven degrees of freedom: within one standard deviation with the chance 0.6494, two: 0.9144.
+  // Nine levels leave seven degrees of freedom: the chance to be within one standard deviation is 0.6494, within two
+  // 0.9144.
   std::mt19937_64 engine(2016);
   const auto uniform = [&] { return (static_cast<double>(engine() >> 11) + 0.5) / 9007199254740992.0; };
   const auto normal = [&] { return std::sqrt(-2 * std::log(uniform())) * std::cos(2 * std::numbers::pi * uniform()); };
@@ -80,7 +81,7 @@ TEST_CASE("the rate at each kind of singular point") {
   CHECK(end(SingularKind::step, edge_exponent(End::right, s_right), Side::left, 1) == doctest::Approx(1));
   CHECK(end(SingularKind::free, free_exponent(End::left, s_left), Side::right, 0) == doctest::Approx(2));
   CHECK(end(SingularKind::free, free_exponent(End::right, s_right), Side::left, 1) == doctest::Approx(2));
-  // With the other friction the powers would not add up.
+  // With the friction of the other side the powers would not add up.
   CHECK(end(SingularKind::free, free_exponent(End::right, s_right), Side::left, 0) != doctest::Approx(2));
   const Place jump{0, SingularKind::friction_jump, jump_exponent(s_left, s_right), {0}, Side::left, 0, 1, -1, true};
   CHECK(local_rate(problem, jump) == doctest::Approx(1));

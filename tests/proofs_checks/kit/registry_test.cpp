@@ -21,8 +21,8 @@ std::vector<std::string> texts(const std::vector<Report>& reports) {
   return all;
 }
 
-/// What the ledger holds, tests/proofs_checks/ledger.csv: claims with their verdict and the number of their controls, and
-/// reading notes. Nothing there may be lost or weakened; a claim that is not listed is free to change.
+/// The expected ledger, tests/proofs_checks/ledger.csv: claims with their verdict and the number of their controls, and
+/// reading notes. No entry may be lost or weakened. A claim that is not listed may change.
 struct ExpectedLedger {
   std::map<std::string, std::pair<std::string, std::size_t>> claims;  ///< verdict, number of controls
   std::set<std::string> notes;
@@ -46,7 +46,7 @@ ExpectedLedger expected_ledger() {
   return ledger;
 }
 
-/// Of every agreement of a claim, by what it is of.
+/// Returns the number of cases of every agreement of a claim, by its name.
 std::map<std::string, std::size_t> cases_of(const Report& report) {
   std::map<std::string, std::size_t> cases;
   for (const Evidence& e : report.evidence) {
@@ -55,7 +55,7 @@ std::map<std::string, std::size_t> cases_of(const Report& report) {
   return cases;
 }
 
-/// In the registry's order. A claim keeps what it has measured: those of the registry would return it.
+/// Returns new claims in the registry's order. Claims of the registry keep their measurements and would return them.
 std::vector<Claim> claims_made_anew() {
   std::map<std::string_view, Claim> anew;
   for (const ClaimEntry& entry : claim_list()) anew.emplace(entry.id, made(entry));
@@ -64,7 +64,7 @@ std::vector<Claim> claims_made_anew() {
   return all;
 }
 
-/// In double, kept: several tests look at the same run.
+/// The reports of a quick run in double. They are kept, because several tests use the same run.
 const std::vector<Report>& quick_run(std::uint64_t seed) {
   static std::map<std::uint64_t, std::vector<Report>> runs;
   if (!runs.contains(seed)) runs[seed] = run_all(registry(), quick(seed));
@@ -76,7 +76,7 @@ const std::vector<Report>& full_run() {
   return reports;
 }
 
-/// Verdicts are those of the list, at any number of digits and parameters.
+/// Checks that the verdicts are those of the list, for any number of digits and parameters.
 void check_all_hold(const std::vector<Report>& reports) {
   const ExpectedLedger expected = expected_ledger();
   for (const Report& report : reports) {
@@ -102,7 +102,7 @@ TEST_CASE("every claim is complete") {
     CHECK_FALSE(claim.source.empty());
     CHECK_FALSE(claim.statement.empty());
     CHECK_FALSE(claim.hypotheses.empty());
-    // Beyond calculation: claim_texts_test.cpp.
+    // A claim beyond calculation; claim_texts_test.cpp tests it.
     if (claim.controls.empty()) continue;
     CHECK(claim.controls.size() >= 3);
     std::set<std::string> names;
@@ -122,7 +122,7 @@ TEST_CASE("every claim has a near miss among its controls, unless it is decided 
   }
 }
 
-// A new claim need not be listed to be examined: the paper's statements name it.
+// A new claim need not be in the list: the paper's statements name it, so it is examined.
 TEST_CASE("the ledger has lost nothing that its list says, and has what the paper's statements name, each once") {
   const ExpectedLedger expected = expected_ledger();
   std::map<std::string, std::size_t> controls;
@@ -146,7 +146,7 @@ TEST_CASE("the ledger has lost nothing that its list says, and has what the pape
   CHECK(notes == expected.notes);
 }
 
-// A further seed: the tests verify-*.
+// The tests verify-* use a further seed.
 TEST_CASE("all claims hold in double, for two seeds, and every control is refuted") {
   for (const std::uint64_t seed : {1U, 2U}) {
     CAPTURE(seed);
@@ -193,7 +193,7 @@ TEST_CASE("every reading note with a claim names one that exists, and a control 
     CHECK(ids.insert(note.id).second);
     CHECK_FALSE(note.evidence.empty());
     CHECK(note.printed != note.derived);
-    // Decided by the local equation, whatever was run: their own test is in tests/symbolic.
+    // The local equation decides these notes, independently of the run. They have their own test in tests/symbolic.
     if (note.claim.empty()) continue;
     const auto claim = std::ranges::find(registry(), note.claim, &Claim::id);
     REQUIRE(claim != registry().end());
@@ -212,7 +212,7 @@ TEST_CASE("every reading note weighs print against extraction, with its formulas
   for (const ReadingNote& note : reading_notes({})) {
     CAPTURE(note.id);
     CHECK((holds(note.evidence, "xtraction") || holds(note.evidence, "the print's")));
-    // In its words and in its column. The print is at fault in formulas only.
+    // The note's words and its column agree. Only formulas can be faults of the print.
     CHECK((note.fault == "print" || note.fault == "extraction" || note.fault == "undecided" || note.fault == "words"));
     CHECK(holds(note.evidence, "extraction's") == (note.fault == "extraction"));
     if (holds(note.evidence, "the print's")) CHECK(note.fault == "print");

@@ -13,7 +13,7 @@ using namespace steadyslide::proofs_checks;
 
 namespace {
 
-/// A claim about a number, and its wrong variants.
+/// Names and numbers of the wrong variants of a claim about a number.
 using Numbers = std::vector<std::pair<std::string, double>>;
 Claim claim_about(double value, const Numbers& wrong, std::vector<Evidence> (*check)(double)) {
   Claim claim{{"one", "", "", ""}, [=](const Context&) { return check(value); }, {}};
@@ -23,7 +23,7 @@ Claim claim_about(double value, const Numbers& wrong, std::vector<Evidence> (*ch
   return claim;
 }
 
-/// It is 1 to within 1/2.
+/// The claim that `value` is 1 to within 1/2.
 Claim claim_about(double value, const Numbers& wrong) {
   return claim_about(value, wrong, [](double number) {
     return gather([&] {
@@ -76,7 +76,7 @@ TEST_CASE("run: a rate off the expected one refutes, and one too vague does not"
   CHECK(run(claim(1.2, 2), {}).verdict == Verdict::refuted);
   CHECK(run(claim(1.05, 0.95), {}).verdict == Verdict::undecided);
 
-  // Evidence that nobody has thrown.
+  // Evidence that is returned, not thrown.
   for (const auto& [bar, verdict] : {std::pair(1.5, Verdict::undecided), {0.5, Verdict::supported}}) {
     Claim vague = claim(1, 2);
     vague.controls[0].examine = [bar](const Context&) -> std::vector<Evidence> {

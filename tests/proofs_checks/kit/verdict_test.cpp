@@ -22,7 +22,7 @@ const std::map<std::string, Evidence> evidence{
     {"counterexample", Counterexample{"f = 1", "load"}},
 };
 
-/// Of pieces of evidence by name, "whole+rate".
+/// Returns the verdict of pieces of evidence by name, "whole+rate".
 Verdict verdict_of(const std::string& names) {
   std::vector<Evidence> all;
   for (const std::string& name : words(std::regex_replace(names, std::regex("\\+"), " ")))

@@ -1,4 +1,4 @@
-// Enclosures decide a sign where its derivation holds, and nowhere else.
+// Enclosures decide a sign on the parameters of its derivation, and on no others.
 
 #include "proofs_checks/proof/enclosures.hpp"
 #include "support/test.hpp"

@@ -1,4 +1,4 @@
-// Proofs as they are written, checked: what follows is taken, and whatever does not is a gap that says why.
+// Checks of written proofs: valid steps are accepted; every other step is a gap with a reason.
 
 #include "proofs_checks/proof/proof.hpp"
 
@@ -118,7 +118,7 @@ std::string replaced_once(std::string text, const std::string& from, const std::
   return text.replace(at, from.size(), to);
 }
 
-/// Rows of exchanges.json: a text, what stands in its place, and the gap that this leaves.
+/// Rows of exchanges.json: a text, its replacement, and the gap that this causes.
 std::vector<std::vector<std::string>> exchanges(const char* kind) {
   return nlohmann::json::parse(file_text(STEADYSLIDE_TESTS "/proofs_checks/proof/exchanges.json")).at(kind);
 }

@@ -43,7 +43,7 @@ TEST_CASE("traction where it is not defined is refused, outside the contact it i
   CHECK_THROWS_AS(form.traction(-1), std::domain_error);
   CHECK_THROWS_AS(form.traction(1), std::domain_error);
   CHECK_THROWS_AS(form.traction(0), std::domain_error);
-  CHECK(form.traction(0.5_r).value < 0);  // a jump of height zero is no singular point
+  CHECK(form.traction(0.5_r).value < 0);  // a jump of height zero is not a singular point
   CHECK(form.traction(2).text == "0");
   CHECK(form.traction(-2).text == "0");
   CHECK_THROWS_AS(ClnClosedForm::flat_punch(punch(Rational(2, 7), {1}, {}), 0), std::domain_error);
@@ -63,7 +63,7 @@ TEST_CASE("more digits extend fewer digits") {
     const Decimal coarse = ClnClosedForm::parabola(curved, 60)[0].traction(x);
     CHECK(near(coarse.value, ClnClosedForm::parabola(curved, 120)[0].traction(x).value, 60));
   }
-  // As near to an end as a user may come: distances are exact.
+  // Places very near to an end: distances are exact.
   const Rational near_end = -1 + 1e-400_r;
   CHECK(rounded(ClnClosedForm::flat_punch(problem, 120).traction(near_end).value, 60).text ==
         ClnClosedForm::flat_punch(problem, 60).traction(near_end).text);
@@ -173,10 +173,10 @@ TEST_CASE("the jumps inside the contact are found") {
   CHECK(one.first_jump() == 1);
   CHECK(one.last_jump() == 2);
   CHECK(none.first_jump() == none.last_jump());
-  // Friction outside the contact is of no consequence.
+  // Friction outside the contact has no effect.
   CHECK(one.left().text == solved(parabola({0.6_r, 0.2_r}, {0})).left().text);
   CHECK(none.left().text == solved(parabola({0.5_r}, {})).left().text);
-  // Too heavy a load: the contact reaches both edges; or one of them only, the vertex being near.
+  // The load is too large: the contact reaches both edges, or one of them if the vertex is near.
   CHECK(ClnClosedForm::parabola(parabola({0}, {}, 1, 0, 100, 1), 40).empty());
   CHECK(ClnClosedForm::parabola(parabola({0}, {}, 0.2_r, -0.9_r, 1, 1), 40).empty());
   CHECK(ClnClosedForm::parabola(parabola({0}, {}, 0.2_r, 0.9_r, 1, 1), 40).empty());
@@ -184,7 +184,8 @@ TEST_CASE("the jumps inside the contact are found") {
 }
 
 TEST_CASE("a jump at an end of the contact is counted once, as beside it") {
-  // The end is irrational: a jump placed there to far more digits than are carried lies on it for all that can be told.
+  // The end is irrational. A jump is placed there with far more digits than are used: it cannot be distinguished from
+  // the end.
   const auto free = ClnClosedForm::parabola(parabola({Rational(1, 3)}, {}), 200);
   const Rational left = free[0].left().value;
   const auto found = ClnClosedForm::parabola(parabola({0.1_r, Rational(1, 3)}, {left}), 30);

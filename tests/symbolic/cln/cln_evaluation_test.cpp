@@ -6,7 +6,7 @@
 using namespace steadyslide::symbolic;
 
 TEST_CASE("rounding to significant decimal digits") {
-  // A number, the digits asked for, what is written.
+  // A number, the requested digits, the expected text.
   for (const std::string& row : words("0:5:0 1/3:5:0.33333 -2/3:5:-0.66667 0.5:1:0.5 25:1:3e1 24.999:1:2e1 "
                                       "9.9996:4:10.00 -999.96:4:-1000 99996:4:1.000e5 1234:3:1.23e3 0.0123:3:0.0123 "
                                       "0.00001:2:0.000010 0.000001:2:1.0e-6 1e-400:3:1.00e-400 -1e400:3:-1.00e400")) {

@@ -1,5 +1,5 @@
-// What is written for Coq, read again and multiplied out by plain rational arithmetic that knows neither GiNaC nor the
-// polynomials that the cofactors were found with. tests/coq asks Coq itself.
+// Reads the lemmas written for Coq, and multiplies them out in plain rational arithmetic. That arithmetic uses neither
+// GiNaC nor the polynomials with which the cofactors were found. tests/coq runs Coq itself.
 
 #include "symbolic/coq/coq_lemmas.hpp"
 
@@ -15,7 +15,7 @@ namespace steadyslide::symbolic {
 
 namespace {
 
-/// Sums, products and powers of names and of numbers in brackets, as algebra.v has them.
+/// Reads sums, products and powers of names and of numbers in brackets, as algebra.v writes them.
 class CoqReader {
  public:
   using Values = std::map<std::string, Rational>;
@@ -90,8 +90,8 @@ std::string between(const std::string& text, const std::string& before, const st
   return text.substr(start, text.find(after, start) - start);
 }
 
-/// Is lhs - rhs the sum of the cofactors' multiples, at this many places? At none of the generators' relations: as
-/// polynomials in all of them.
+/// True if lhs - rhs equals the sum of the cofactors' multiples at `places` random places. The places need not satisfy
+/// the generators' relations: both sides are polynomials in all of them.
 bool multiplies_out(const CoqLemma& lemma, std::mt19937& random, int places = 2) {
   const std::string statement = between(lemma.text, "Lemma " + lemma.name + " : forall ", ".\nProof.");
   const std::size_t colon = statement.find(" :");
@@ -101,7 +101,7 @@ bool multiplies_out(const CoqLemma& lemma, std::mt19937& random, int places = 2)
   for (int place = 0; place < places; ++place) {
     CoqReader::Values values{{"zero", 0}};
     for (const std::string& name : words(statement.substr(0, colon))) {
-      // Odd: a factor that is 0 would make a wrong lemma multiply out.
+      // Odd, hence not 0: with a factor 0 a wrong lemma would multiply out.
       values[name] = Rational(2 * static_cast<int>(random() % 51) - 51, static_cast<int>(random() % 7) + 1);
     }
     const Rational lhs = CoqReader(conclusion.substr(0, equals), values).value();
@@ -179,7 +179,7 @@ TEST_CASE("lemmas of all decided statements multiply out; those of their wrong v
       for (const ExactIdentity& control : statement.controls) {
         CAPTURE(statement.id + ", wrongly: " + control.statement);
         const CoqLemmas found = coq_lemmas(statement.id, control);
-        bool refused = found.lemmas.empty();  // between numbers there is nothing to refuse
+        bool refused = found.lemmas.empty();  // a lemma between numbers has nothing to refuse
         for (const CoqLemma& lemma : found.lemmas) {
           CHECK(multiplies_out(lemma, random) == lemma.proved);
           if (lemma.proved) continue;

@@ -9,7 +9,7 @@ namespace {
 
 bool zero(const PhaseField& field, const ex& e) { return field.is_identically_zero(e).holds; }
 
-/// A random element: sums, products and quotients of s, r, i, a free symbol and numbers.
+/// Returns a random element: sums, products and quotients of s, r, i, a free symbol and numbers.
 rc::Gen<ex> element(const PhaseField& field, const GiNaC::symbol& x, int depth) {
   return rc::gen::exec([&field, x, depth]() -> ex {
     const int kind = *rc::gen::inRange(0, depth == 0 ? 4 : 7);

@@ -8,7 +8,7 @@
 using namespace steadyslide::symbolic;
 
 TEST_CASE("names, accents, sides, powers and signs") {
-  // A sign that touches its name on the left alone is above it.
+  // A sign that touches its name only on the left stands above the name.
   const auto formulas = rows_of(STEADYSLIDE_TESTS "/symbolic/field/plain_formulas.json");
   CHECK(formulas.size() >= 14);
   for (const auto& [plain, latex] : formulas) CHECK(latex_of_plain(plain) == latex);

@@ -70,7 +70,7 @@ TEST_CASE("divisors are recorded, those that cancel too") {
 }
 
 TEST_CASE("canonical text: lowest terms, one sign, the order of the names") {
-  // Many symbols, so that an order by address would differ from the order by name in some of them.
+  // Many symbols: an order by address would differ from the order by name in some of them.
   std::vector<symbol> shuffled;
   for (const char* name : {"e", "b", "d", "a", "c"}) shuffled.emplace_back(name);
   ex sum = 0;

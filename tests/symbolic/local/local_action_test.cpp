@@ -8,7 +8,7 @@ using GiNaC::ex;
 
 namespace {
 
-/// H of the monomial cut off at |x| = 1, by quadrature: the mirror image of the density is on the right.
+/// H of the monomial cut off at |x| = 1, by quadrature. On the right it uses the mirror image of the density.
 double quadrature(const LocalMonomial& monomial, double lambda, double x) {
   const double mu = monomial.order + (monomial.fractional ? lambda : 0);
   const int logs = monomial.logs;

@@ -64,7 +64,7 @@ TEST_CASE("every derived form satisfies the local equation to all three orders, 
     CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(5));
     CAPTURE(form.derivation.title);
     CHECK(solves_equations(form));
-    // A control: one coefficient changed on one side.
+    // A control: one coefficient is changed on one side.
     LocalForm wrong = form;
     for (LocalFormTerm& t : wrong.terms) {
       (place.in_contact(Side::right) ? t.right : t.left) *= 2;
@@ -138,7 +138,7 @@ TEST_CASE("ends: powers and outside slopes") {
     CAPTURE(form.derivation.title);
     CHECK(form.exponent == (right ? local_exponent(free, 0, -1) : local_exponent(free, 1, 0)));
     const ex r = frame.friction(right ? Side::right : Side::left).r;
-    // All amplitudes belong to the distance d, on either side.
+    // On both sides, all amplitudes refer to the distance d.
     for (const LocalFormTerm& t : form.terms) CHECK(t.text.text.starts_with("-theta"));
     const int sign = (right ? 1 : -1) * free;
     CHECK(frame.field().are_equal(form.outside->coefficient, sign * form.theta * r).holds);
@@ -183,14 +183,14 @@ TEST_CASE("the signs: where contact around a wedge is possible") {
     REQUIRE(form.conditions.size() == 1);
     CHECK(form.conditions[0].expression.has(form.theta) == increases);
     CHECK(form.conditions[0].holds == Truth::unknown);
-    // The power leads where s increases, the constant where it decreases.
+    // The power is the leading term if s increases, the constant if it decreases.
     CHECK(form.terms[0].fractional == increases);
   }
   const ex a = GiNaC::numeric(1, 10), b = GiNaC::numeric(6, 10);
   CHECK(wedge(a, a, 1));
   CHECK(!wedge(a, a, -1));
   CHECK(wedge(a, b, 1));
-  CHECK(wedge(a, b, -1));  // friction that increases admits a re-entrant wedge
+  CHECK(wedge(a, b, -1));  // increasing friction admits a re-entrant wedge
   CHECK(wedge(b, a, 1));
   CHECK(!wedge(b, a, -1));
   const auto end = [](ContactSide contact, int jump) {

@@ -37,7 +37,7 @@ TEST_CASE("contacts of up to three components: order, signs, as many conditions 
       for (std::size_t k = 0; k < y.panels(); ++k)
         frictions.push_back(to_expression(Rational(1 + 2 * static_cast<int>(k), 7)));
       const PhaseField field(frictions);
-      // epsilon is one sign on a component: that of its right end, times (-1)^S of the components on its right.
+      // epsilon has one sign on a component: the sign of its right end, times (-1)^S of the components to its right.
       int order_right = 0;
       for (std::size_t c = n; c-- > 0;) {
         const bool is_free = components[c].right == EndKind::free;

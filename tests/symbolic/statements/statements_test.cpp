@@ -1,4 +1,4 @@
-// Statements that are decided exactly, each beside wrong variants of itself.
+// Statements that are decided exactly, with wrong variants of each.
 
 #include "symbolic/statements/statements.hpp"
 #include "support/test.hpp"
@@ -9,7 +9,8 @@ using GiNaC::ex;
 
 namespace {
 
-/// Every one holds under an id of its own, and each of its variants is another one and refuted. Returns the ids.
+/// Checks that every statement holds and has its own id, and that each of its variants differs and is refuted. Returns
+/// the ids.
 std::set<std::string> check_decided(const std::vector<DecidedStatement>& statements, std::size_t controls = 4) {
   std::set<std::string> ids;
   for (const DecidedStatement& statement : statements) {
@@ -29,7 +30,7 @@ std::set<std::string> check_decided(const std::vector<DecidedStatement>& stateme
   return ids;
 }
 
-/// What a statement divides by is one of those that are known not to vanish.
+/// Checks that a statement divides only by expressions that are known not to vanish.
 template <class Known>
 void check_divisors(const DecidedStatement& statement, const Known& is_known) {
   for (const std::string& d : statement.identity.nonvanishing) CHECK_MESSAGE(is_known(d), statement.id, " by ", d);
@@ -86,7 +87,7 @@ TEST_CASE("every statement on the energy holds, and each of its wrong variants i
 TEST_CASE("every statement on forms with symbolic indices holds, and each of its wrong variants is refuted") {
   const std::vector<DecidedStatement> all = hilbert_statements();
   CHECK(check_decided(all, 3).size() == 23);
-  // For j != k no condition is left, and i + s is never 0.
+  // For j != k no condition remains, and i + s is never 0.
   for (const DecidedStatement& statement : all) {
     check_divisors(statement, [](const std::string& d) { return d == "s^2 + 1" || d == "i + s"; });
   }

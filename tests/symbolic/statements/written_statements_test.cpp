@@ -49,7 +49,7 @@ TEST_CASE("statements decided elsewhere take the place that the text gives them"
 }
 
 TEST_CASE("a text that cannot be read is refused") {
-  // What stands in the place of the first equation, and the message.
+  // The text that replaces the first equation, and the message.
   for (const auto& [line, message] : rows_of(STEADYSLIDE_TESTS "/symbolic/statements/unreadable_lines.json")) {
     CAPTURE(line);
     std::string text = square;
