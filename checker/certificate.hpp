@@ -1,5 +1,5 @@
 #pragma once
-// A certificate as docs/certificate.md defines it, read and found to be consistent with itself: every anchor of the
+// A certificate as docs/certified.md defines it, read and found to be consistent with itself: every anchor of the
 // problem once, ends of contact that begin and end in turns, as many balls as there are unknowns. Nothing is proved yet.
 
 #include <string>

@@ -1,6 +1,6 @@
 # Applies exact nodal forces to a graded mesh of quadratic elements (GetFEM), and compares the slopes of its surface
 # with the exact ones, at distances of a tenth and more from singular points. Run it in the folder above this one;
-# docs/reference-problems.md has the table. It prints standard deviations, because forces do not determine a rotation.
+# docs/finite-elements.md has the table. It prints standard deviations, because forces do not determine a rotation.
 import getfem as gf, numpy as np, steadyslide as ss
 
 exact, errors = ss.Problem.from_toml("reference/parabola_over_jump/problem.toml").solve(), []

@@ -1,4 +1,4 @@
-// A formula in the ASCII notation of docs/notation.md, read.
+// A formula in the ASCII notation of docs/theory.md, read.
 //
 //   row     = { operand | sign | a "/" b }
 //   operand = (number | name | "(" row ")" | "[" row "[" | "|" row "|" | "<<" row ">>" | "sqrt" operand) scripts

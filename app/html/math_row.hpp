@@ -63,7 +63,7 @@ void divide(MathRow& row, MathRow denominator, bool small);
 /// (1/pi) x as 1/pi x, where the last element is a bracket around nothing but a stacked fraction.
 void drop_idle_brackets(MathRow& row);
 
-/// A formula in the notation of docs/notation.md, read (math_parser.cpp); nothing for a text that is none.
+/// A formula in the notation of docs/theory.md, read (math_parser.cpp); nothing for a text that is none.
 std::optional<MathRow> parse_math(std::string_view formula);
 
 }  // namespace steadyslide::app

@@ -1,5 +1,5 @@
 #pragma once
-// The words of a formula in ASCII, and what its names and signs look like (docs/notation.md, "Formulas in text").
+// The words of a formula in ASCII, and what its names and signs look like (docs/theory.md, "Formulas in text").
 
 #include <optional>
 #include <string>

@@ -81,7 +81,7 @@ struct ProofText {
   std::string x;
   long bits = 0;              ///< bits of the balls
   std::size_t intervals = 0;  ///< number of intervals on which signs were decided
-  std::string certificate;    ///< certificate of a proved solution, docs/certificate.md
+  std::string certificate;    ///< certificate of a proved solution, docs/certified.md
 
   /// "reason; x = ..."
   std::string why_not() const { return x.empty() ? reason : reason + "; x = " + x; }
@@ -94,7 +94,7 @@ struct BoundText {
   std::size_t cells = 0;
   std::string energy;       ///< upper bound of the error's energy, in units of c P^2
   std::string largest_gap;  ///< the largest gap under pressure, in units of c P
-  std::string certificate;  ///< docs/certificate.md
+  std::string certificate;  ///< docs/certified.md
 };
 
 struct SolutionText {

@@ -54,8 +54,8 @@ void write_json(const Problem& problem, const BothText& both, Output& output);
 /// One row for each point, or for each node. The gradient of the displacement is left out.
 void write_stresses(Format format, const FieldText& field, Output& output);
 void write_nodal_forces(Format format, const FieldText& field, Output& output);
-/// Writes stresses, nodal forces or the largest stress, if one of them was requested (docs/interior.md); otherwise the
-/// samples (docs/output.md). A sample has two rows if a left and a right limit differ.
+/// Writes stresses, nodal forces or the largest stress, if one of them was requested (docs/finite-elements.md); otherwise the
+/// samples (docs/results.md). A sample has two rows if a left and a right limit differ.
 void write_csv(const Problem& problem, const SolutionText& solution, Output& output);
 /// Writes one row for each solution and contact component.
 void write_csv(const Problem& problem, const SearchText& search, Output& output);

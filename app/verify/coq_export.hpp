@@ -1,6 +1,6 @@
 #pragma once
 // `steadyslide verify --export-coq DIR`: writes the decisions of the symbolic layer for an independent proof checker
-// (docs/coq.md).
+// (docs/proofs.md).
 
 #include <string>
 

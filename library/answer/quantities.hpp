@@ -1,6 +1,6 @@
 #pragma once
 // The quantities of an answer: one row each. Text, JSON, columns of sweeps, C++, Python and the Explorer read these rows.
-// quantity_documents.py writes the schema, the fields of the Python module and the table of docs/output.md from them.
+// quantity_documents.py writes the schema, the fields of the Python module and the table of docs/results.md from them.
 // docs/architecture.md says what a new row needs.
 //
 //   QUANTITY(type, key, unit, line, meaning, formula)

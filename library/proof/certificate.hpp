@@ -1,5 +1,5 @@
 #pragma once
-// The certificate of a proved solution: all data that a checker needs to prove it again (docs/certificate.md).
+// The certificate of a proved solution: all data that a checker needs to prove it again (docs/certified.md).
 
 #include <string>
 

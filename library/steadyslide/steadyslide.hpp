@@ -9,7 +9,7 @@
 ///
 /// Signs and units: x is along the surface, z > 0 is the depth. The traction is t <= 0, the shear is along +x, the gap
 /// is >= 0, the slope is u'. Stresses are positive in tension. All numbers are in the user's units; forces are per unit
-/// of thickness (docs/conventions.md).
+/// of thickness (docs/results.md).
 ///
 /// Errors: data that break a rule throw InvalidData, with the message of the command line. A file that cannot be read
 /// throws std::system_error. A solve that does not converge throws nothing: check Solution::solved() and
@@ -205,7 +205,7 @@ struct Mesh {
   int order = 1;
 };
 
-/// The result of a proof in ball arithmetic. The program steadyslide-check reads the certificate (docs/certificate.md).
+/// The result of a proof in ball arithmetic. The program steadyslide-check reads the certificate (docs/certified.md).
 struct Proof {
   bool proved = false;
   std::string reason;       ///< the reason why it is not proved; empty if proved

@@ -15,7 +15,7 @@ std::mutex& planner() {
   return mutex;
 }
 
-/// Threads of one transform: short ones are over before a second thread has begun (docs/libraries.md).
+/// Threads of one transform: short ones are over before a second thread has begun (docs/decisions.md).
 int threads(std::size_t n) {
   constexpr std::size_t longest_alone = std::size_t{1} << 18;
   return n <= longest_alone ? 1 : static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 4U));

@@ -30,7 +30,7 @@
 // symbolic layer, by their ids, with all the wrong variants that it has of them. Lines of text are joined. A bar within a
 // cell is written \|; where only one value is said to be true, both routes stay empty. How numbers are compared: of
 // `tolerance 1e-8`, `absolute`, `at most`, `required 0.4` and `no near miss` what Quantity says; the column may be absent.
-// Formulas stand between backticks, in the notation of docs/notation.md: readable as they are, typeset in the report.
+// Formulas stand between backticks, in the notation of docs/theory.md: readable as they are, typeset in the report.
 
 #include <string>
 #include <string_view>

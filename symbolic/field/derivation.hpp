@@ -17,7 +17,7 @@ struct Formula {
 struct DerivationStep {
   enum class Kind { assumption, action, result };
   Kind kind;
-  std::string words;  ///< a sentence; formulas in it between backticks, in plain letters (docs/notation.md)
+  std::string words;  ///< a sentence; formulas in it between backticks, in plain letters (docs/theory.md)
   Formula formula;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// Formulas in the plain letters of docs/notation.md, as they stand between backticks in sentences, and their LaTeX.
+// Formulas in the plain letters of docs/theory.md, as they stand between backticks in sentences, and their LaTeX.
 
 #include <string>
 #include <string_view>
