@@ -1,5 +1,5 @@
 #pragma once
-// The elastic half-space, with the elastic indenter where there is one, as the two constants that the surface sees.
+// The elastic half-space, and the elastic indenter if there is one. The surface depends on two constants of them.
 //
 //   compliance c:  u = c u_bar, in the user's units;           rigid indenter, plane strain: c = 2 (1 - nu^2) / E
 //   coupling gamma: A t = (1/pi) PV int t/(x'-x) dx' + gamma f t;   plane strain: gamma = (1-2nu) / (2 (1-nu))

@@ -17,7 +17,7 @@ class Exponent {
     Rational slope;
   };
 
-  /// Sums throw InvalidData where an angle would be counted more often, either way.
+  /// The largest |times|. A sum that would exceed it throws InvalidData.
   static constexpr int max_times = 10000;
 
   /// The same number as halves/2 + arctan(slope)/pi with -1 < slope <= 1: unique, and free of cancellation.
@@ -36,7 +36,7 @@ class Exponent {
   const Rational& offset() const { return offset_; }
   const std::vector<Angle>& angles() const { return angles_; }
 
-  /// Decided for any slopes by multiplying Gaussian integers, whose argument is followed through its quadrants.
+  /// Exact for any slopes: multiplies Gaussian integers and counts the quadrants of the product's argument.
   Reduced reduced() const;
   /// -1, 0 or +1, exactly.
   int sign() const;
@@ -46,7 +46,7 @@ class Exponent {
   Exponent operator-() const;
   friend Exponent operator+(Exponent a, const Exponent& b) { return a += b; }
   friend Exponent operator-(Exponent a, const Exponent& b) { return a -= b; }
-  /// Equal as numbers, however they are written: arctan(1/2) + arctan(1/3) equals pi/4.
+  /// Compares the numbers, not how they are written: arctan(1/2) + arctan(1/3) equals pi/4.
   friend bool operator==(const Exponent& a, const Exponent& b) { return (a - b).sign() == 0; }
 
  private:

@@ -20,9 +20,10 @@ class FrictionProfile {
   /// The index of the piece that contains x; at a jump, the piece on that side.
   std::size_t piece(const Rational& x, Side side) const;
 
-  /// In the coordinate y = scale x + shift, scale != 0: a negative scale puts what was right to the left.
+  /// Returns the profile in the coordinate y = scale x + shift, scale != 0. A negative scale exchanges left and right.
   FrictionProfile moved(const Rational& scale, const Rational& shift) const;
-  /// A further jump at c: f larger by `height` between c and the next jump. Throws InvalidData where there is one at c.
+  /// Returns the profile with one more jump at c: f is larger by `height` between c and the next jump. Throws
+  /// InvalidData if there is already a jump at c.
   FrictionProfile with_jump(const Rational& c, const Rational& height) const;
   friend bool operator==(const FrictionProfile&, const FrictionProfile&) = default;
 

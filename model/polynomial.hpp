@@ -34,7 +34,7 @@ class Polynomial {
   std::vector<Rational> coefficients_;
 };
 
-/// "1/2*x^2 - x", readable back by the problem file's grammar.
+/// Returns text such as "1/2*x^2 - x", which the reader of problem files accepts.
 std::string to_string(const Polynomial& polynomial);
 
 }  // namespace steadyslide

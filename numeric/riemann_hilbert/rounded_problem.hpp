@@ -1,6 +1,6 @@
 #pragma once
-// The reduced problem (model/reduced_problem.hpp) rounded to numbers of one type: each number once, from its exact value.
-// Nothing is a difference of two rounded numbers.
+// The reduced problem (model/reduced_problem.hpp) rounded to numbers of one type. Each number is rounded once, from its
+// exact value. No number is a difference of two rounded numbers.
 
 #include <array>
 #include <memory>
@@ -32,24 +32,25 @@ class RoundedProblem {
 
   const ContactProblem& problem() const { return *problem_; }
   const Frame& frame() const { return exact_.frame; }
-  /// The first and the last one are the support's ends.
+  /// Returns the anchors. The first and the last one are the support's ends.
   const std::vector<Anchor>& anchors() const { return anchors_; }
-  /// Of anchor k in the user's x.
+  /// Returns the place of anchor k in the user's x.
   Rational place(std::size_t k) const { return exact_.place(k); }
-  /// From anchor k to the next one.
+  /// Returns the distance from anchor k to the next one.
   const R& spacing(std::size_t k) const { return spacing_[k]; }
 
-  /// Interval k reaches from anchor k to the next one: which of slopes() and which friction piece hold there.
+  /// For interval k, from anchor k to the next one: the index into slopes(), and the friction piece.
   std::size_t slope_of(std::size_t interval) const { return exact_.intervals[interval].slope; }
   std::size_t friction_of(std::size_t interval) const { return exact_.intervals[interval].friction; }
-  /// The different polynomials g, coefficients of 1, xi, xi^2, ...
+  /// Returns the different polynomials g, as coefficients of 1, xi, xi^2, ...
   const std::vector<std::vector<R>>& slopes() const { return slopes_; }
   R slope(std::size_t index, const R& x) const { return value_of(slopes_[index], x); }
-  /// With what rounding may have done to it.
+  /// Returns the slope with its rounding error.
   Estimate<R> slope_estimate(std::size_t index, const R& x) const { return estimate_of(slopes_[index], x); }
-  /// Its error in units of epsilon.
+  /// Returns this error in units of epsilon.
   double slope_size(std::size_t index, const R& x) const { return rounding_size(slopes_[index], x); }
-  /// int g dxi from `from` on, over a length that may have more digits than the difference of two places.
+  /// Returns int g dxi over `length`, starting at `from`. The length may have more digits than the difference of two
+  /// places.
   R profile_increment(std::size_t index, const R& from, const R& length) const;
   int highest_degree() const { return highest_degree_; }
   std::size_t most_coupled() const { return most_coupled_; }

@@ -32,7 +32,7 @@ LocalPlace place_of(const ContactProblem& problem, const SingularPoint& point) {
   const GiNaC::ex left = coupled(problem, point.friction.front());
   const GiNaC::ex right = coupled(problem, point.friction.back());
   LocalPlace place{point.contact, {left}, {right}};
-  // A free end that can lie anywhere: the slope is continuous there.
+  // The slope is continuous at a free end that can lie anywhere.
   if (point.x) {
     place.left.slopes = slopes_at(problem, *point.x, Side::left);
     place.right.slopes = slopes_at(problem, *point.x, Side::right);
