@@ -6,7 +6,7 @@
 namespace steadyslide::numeric {
 namespace {
 
-/// Returns the degree of Y, or the largest of all Y_i.
+/// Returns the degree of Y at infinity, or the lowest degree of all Y_i.
 template <Real R>
 int lowest_degree(const SignedFundamentalSolution<R>& y) {
   int degree = y.degree_at_infinity();

@@ -118,7 +118,7 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   Once<TractionIntegrals<R>> integrals_;
   Once<Estimate<R>> height_at_origin_;
   mutable std::mutex measuring_;                        ///< protects the gaps
-  mutable std::map<std::size_t, GapIntegral<R>> gaps_;  ///< by the end of contact; they keep the sums over whole segments
+  mutable std::map<std::size_t, GapIntegral<R>> gaps_;  ///< by end of contact; they keep sums over whole segments
 };
 
 }  // namespace steadyslide::numeric

@@ -54,18 +54,19 @@ class RoundedProblem {
   R profile_increment(std::size_t index, const R& from, const R& length) const;
   int highest_degree() const { return highest_degree_; }
   std::size_t most_coupled() const { return most_coupled_; }
-  /// In xi: no shorter gap over a notch is followed. It has products that double cannot hold, where there may be many
-  /// components those of two such lengths (signed_fundamental_solution.hpp), and contact is looked for in double, whatever
-  /// the precision.
+  /// Returns the shortest gap over a notch that is followed, in xi. Products with a shorter length (with many
+  /// components, of two such lengths: signed_fundamental_solution.hpp) would be out of the range of double, in which
+  /// the contact is found for every precision.
   const R& shortest_gap() const { return shortest_gap_; }
 
   const R& s(std::size_t friction) const { return s_[friction]; }
   const R& cos_alpha(std::size_t friction) const { return cos_alpha_[friction]; }
   const R& load() const { return load_; }
-  /// Where the load acts, if the indenter may tilt.
+  /// Returns the place where the load acts, if the indenter may tilt.
   const std::optional<R>& load_at() const { return load_at_; }
 
-  /// May the traction blow up where contact ends at this anchor? At the support's ends and where a step protrudes.
+  /// True if the traction may blow up where contact ends at this anchor: at the support's ends and where a step
+  /// protrudes.
   bool edge_possible(End end, std::size_t anchor) const;
 
   /// A power of the traction, with its exact form.
@@ -74,7 +75,7 @@ class RoundedProblem {
     Power<R> power;
   };
   const Singularity& end(End end, bool edge, std::size_t friction) const;
-  /// Of the jump between two neighbouring intervals: 0 where the friction does not change.
+  /// Returns the singularity of the friction jump at an anchor; its power is 0 if the friction does not change.
   const Singularity& jump(std::size_t anchor) const;
 
  private:
@@ -94,7 +95,7 @@ class RoundedProblem {
   std::vector<R> cos_alpha_;
   R load_;
   std::optional<R> load_at_;
-  // An exponent costs more than a solve has steps: made when first asked for.
+  // An exponent is expensive compared with a solve, so it is computed at first use.
   std::shared_ptr<std::mutex> making_ = std::make_shared<std::mutex>();
   mutable std::vector<std::array<Slot, 4>> ends_;
   mutable std::vector<Slot> jumps_;
