@@ -1,8 +1,9 @@
 #pragma once
-// A gap that can but close. Let a solution at the load P_1 have contact K on the whole support but for one gap, over a wedge c
-// without a step, with free ends e_1 < c < e_2 in the intervals beside c, where psi'' >= 0 between e_1 and c and between c and
-// e_2; the indenter keeps its attitude. Then for every P >= P_1 up to the load P* at which the gap closes there is a solution with
-// this topology, one branch that depends continuously on P, and its gap shrinks. The steps:
+// A gap that can only close. Let a solution at the load P_1 have contact K on the whole support except one gap. The gap
+// lies over a wedge c without a step, with free ends e_1 < c < e_2 in the intervals beside c, and psi'' >= 0 between
+// e_1 and c and between c and e_2. The indenter cannot tilt. Then for every P >= P_1 up to the load P* at which the gap
+// closes there is a solution with this topology. These solutions are one branch, which depends continuously on P, and
+// the gap shrinks. The steps:
 //
 //   gap        where t = 0, gap'' = psi'' - (1/pi) int t/(x'-x)^2 > 0: from a free end, where gap = gap' = 0, both flanks rise
 //              up to c. So the gap is > 0, and gap' ~ theta d^lambda with theta > 0 at both ends, for any zero of the conditions
@@ -19,26 +20,27 @@
 //   until      full contact's traction falls with the load as well. Where it is positive somewhere at a load P_0, it is at every
 //              load up to P_0: P* > P_0.
 //
-// So the proof is one of the solution at P_1 and, at P_0, of a place where full contact pulls. It needs no gap but the first one,
-// and no theorem of uniqueness. Above P* full contact is proved as any other. (In units of P*, the length of a gap over straight
-// flanks and a rising jump of friction is (C(1 - P/P*))^(1/|beta|) at last, 1/|beta| from 20 on: its logarithm's slope is 1/|beta|
-// over the distance from the event, and intervals of loads would be as short as beta^2 times that.)
+// So it is sufficient to prove the solution at P_1 and, at P_0, a place where full contact has tension. The proof needs
+// no gap except the first one, and no uniqueness theorem. Above P* full contact is proved like any other contact. (In
+// units of P*, the length of a gap over straight flanks and a rising friction jump is finally (C(1 - P/P*))^(1/|beta|),
+// 1/|beta| from 20 on. The slope of its logarithm is 1/|beta| over the distance from the event, and intervals of loads
+// would be as short as beta^2 times this distance.)
 
 #include "enclosure/contact/contact_proof.hpp"
 
 namespace steadyslide::enclosure {
 
-/// Full contact, if the contact is as it is said above.
+/// Returns full contact, if the contact satisfies the assumptions above.
 std::optional<ContactBox> closed_gap(const ReducedProblem& problem, const ContactBox& box);
 
-/// The load at which full contact begins, between two others.
+/// Two loads that enclose the load at which full contact begins.
 struct FullContactFrom {
-  Rational refuted;                ///< full contact pulls somewhere at this load, and at smaller ones
-  std::optional<Rational> proved;  ///< at this load it does not; absent if it does at all loads, or that is not decided
+  Rational refuted;                ///< full contact has tension somewhere at this load, and at smaller ones
+  std::optional<Rational> proved;  ///< at this load it has no tension; absent if it has at all loads, or undecided
 };
 
-/// Between `from` and `to`, no further apart than `width` times the load, and neither of them where that can be decided. Nothing
-/// where full contact is not refuted at `from`.
+/// Returns two such loads between `from` and `to`, with a distance of at most `width` times the load if the loads can
+/// be decided. Absent if full contact is not refuted at `from`.
 std::optional<FullContactFrom> full_contact_from(const ReducedProblem& problem, const ContactBox& full,
                                                  const Rational& from, const Rational& to, const Rational& width,
                                                  JacobiRules& rules, WorkBudget& work);

@@ -53,7 +53,7 @@ ContactQuadrature<R>::ContactQuadrature(const SignedFundamentalSolution<R>& y, J
   for (std::size_t segment = 0; segment < set.segments(); ++segment) {
     first_panel_.push_back(panels_.size());
     if (!set.in_contact(segment)) continue;
-    // Without pivots, and for all following components, Y is the Y_i of the component.
+    // Y is the Y_i of the component, without pivots and for all components beyond them.
     const R amplitude = common_factor(y, segment);
     for (const JacobiPanel<R>& panel :
          jacobi_panels<R>(y, whole_segment(set, segment), SmoothFactor::polynomial, power_at, rules)) {

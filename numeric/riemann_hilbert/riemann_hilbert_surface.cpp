@@ -80,7 +80,7 @@ Estimate<R> RiemannHilbertSolution<R>::traction_limit(std::size_t j, Side side) 
   if (p.sign() < 0) return {-infinity<R>(), R(0)};
   if (form_.changes_polynomial(j)) {
     if (p.sign() > 0) return constant(j);
-    // Without a corner (only the curvature changes), the factor of the logarithm is zero.
+    // If there is no corner (only the curvature changes), the factor of the logarithm is zero.
     if (const int corner = sign(wedge(j)); corner != 0) return {corner > 0 ? -infinity<R>() : infinity<R>(), R(0)};
   }
   if (p.sign() > 0) return {};

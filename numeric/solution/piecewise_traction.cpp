@@ -202,7 +202,7 @@ void PiecewiseTraction<R>::add_panel(const TractionSegment<R>& segment, const Gr
                          R(0),
                          end_error};
   if (is_power) panel.rule = &rules_->get(power, {}, rule_size_);
-  // Without a power, y is measured from the left.
+  // If there is no power, y is measured from the left.
   for (std::size_t k = 1; mirrored && !is_power && k < values.size(); k += 2) values[k] = -values[k];
   coefficients_.insert(coefficients_.end(), values.begin(), values.end());
   panels_.push_back(std::move(panel));

@@ -13,7 +13,7 @@ namespace steadyslide::numeric::variational {
 
 struct ActiveSetOptions {
   int most_steps = 100;
-  int patience = 10;              ///< steps without a new lowest number of wrong cells before the solve stops
+  int patience = 10;              ///< steps without a new lowest number of wrong cells that count as cycling
   double tolerance = 1e-12;       ///< of the equations, relative to the profile's height if that exceeds c P
   double first_tolerance = 1e-5;  ///< tolerance while many cells are wrong
   std::size_t dense_cells = 160;  ///< contact sets up to this size are factorised; for larger ones Krylov is not slower

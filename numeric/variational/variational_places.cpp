@@ -90,7 +90,7 @@ void VariationalSolution::find_places() {
         place.exponent = Exponent(0);  // nothing blows up or vanishes; the polynomial changes
       }
       const bool repeated = !places_.back().is_end() && places_.back().x == x;
-      // Of places that double cannot distinguish, keep the last break.
+      // Keep the last break of places that double cannot distinguish.
       if (repeated && place.wedge_degree < 0) continue;
       if (repeated) places_.pop_back();
       places_.push_back(place);
