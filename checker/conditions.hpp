@@ -16,8 +16,8 @@ namespace steadyslide::checker {
 
 /// Returns int (g - g_k) over [from, to] in a segment, both measured from its left point; g is the segment's own slope.
 Ball slope_difference(const Contact& contact, std::size_t segment, std::size_t k, const Ball& from, const Ball& to);
-/// Returns the gap at a place outside the contact, starting from the end of contact at point `end`: steps + int (g -
-/// g_k) + int Y B_k.
+/// Returns the gap at a place outside the contact, starting from the end of contact at point `end`:
+/// steps + int (g - g_k) + int Y B_k.
 Ball gap_at(const TractionRepresentation& form, std::size_t end, const Place& at);
 /// Returns the longest segment between points j and i. In its middle a gap changes from one B_k to the other.
 std::size_t longest_segment(const Contact& contact, std::size_t j, std::size_t i);

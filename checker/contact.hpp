@@ -5,8 +5,8 @@
 //   alpha(c-) - alpha(c+) at jumps inside the contact, tan(pi alpha) = s on the side of the contact, 0 elsewhere,
 //
 // and its expansion at infinity. Inside the contact t = eps cos(pi alpha) |Y| B; outside Y is real. Both signs follow
-// from sigma(x) = sum_{e_j > x} p_j: outside the contact it is an integer n, Y = (-1)^n |Y|; inside it is alpha + m +
-// 1/2, eps = (-1)^(m+1).
+// from sigma(x) = sum_{e_j > x} p_j: outside the contact it is an integer n, Y = (-1)^n |Y|; inside it is
+// alpha + m + 1/2, eps = (-1)^(m+1).
 
 #include <cstddef>
 #include <vector>
@@ -25,7 +25,7 @@ struct Place {
 
 class Contact {
  public:
-  /// `log_offsets` are those of the free ends, from left to right.
+  /// `log_offsets` belong to the free ends, from left to right.
   Contact(const ReducedProblem& problem, const Layout& layout, const std::vector<Ball>& log_offsets, slong precision);
 
   const ReducedProblem& problem() const { return *problem_; }

@@ -13,8 +13,8 @@
 // with R analytic in |d| < 2r, where r is half the distance to the next point. On 0 < d <= d1 = 2^-bits r the sum is
 // bilinear in (R, S) and d^a or log d, which tends to 0 or infinity. So the values at the two ends decide. R comes from
 // d1 with Cauchy's estimate |R'| <= M r/(r - d1)^2: J(d) = int_0^L y^a G(y)/(y + d) dy, of which B_k has +-eps cos(pi
-// alpha)/pi times, is bounded on |d| = r by deforming the path (y on the semicircle over [0, L], |y + d| >= (|y| +
-// r)/3):
+// alpha)/pi times, is bounded on |d| = r by deforming the path (y on the semicircle over [0, L],
+// |y + d| >= (|y| + r)/3):
 //   |J| <= 3 sec(pi/4)^kappa max|D| int w/(u + r),
 // and its singular part by |pi/sin(pi a) G(-d) d^a| or |G(-d) log d|, |G| <= max|D| prod 2^|p_j| d_j^(-p_j).
 //

@@ -2,9 +2,9 @@
 // An enclosed quadrature for products of powers, by the trapezoidal rule in tau, x = tanh(tau/2).
 //
 // On a panel [a, b] of length L let w(x) = prod_j |x - e_j|^(c_j) with all e_j real and none inside. Points at a and b
-// are allowed, with powers c > -1. With x = a + L/(1 + e^-tau) the distances to the ends are u = L/(1 + e^-tau), v =
-// L/(1 + e^tau), dx = (u v/L) dtau, and F(tau) = w u v/L is analytic for |Im tau| < pi: the real line outside the panel
-// is Im tau = +-pi. So panels need no grading, even if another singular point is very close.
+// are allowed, with powers c > -1. With x = a + L/(1 + e^-tau) the distances to the ends are u = L/(1 + e^-tau),
+// v = L/(1 + e^tau), dx = (u v/L) dtau, and F(tau) = w u v/L is analytic for |Im tau| < pi: the real line outside the
+// panel is Im tau = +-pi. So panels need no grading, even if another singular point is very close.
 //
 // For |Im tau| <= d < pi and rho >= 0 one has cos(d/2) (1 + rho) <= |1 + rho e^(i phi)| <= 1 + rho, |phi| <= d. So
 // |u|, |v| and all |x - e_j| are those at t = Re tau up to the factor sec(d/2): between 1 and sec(d/2) times for u and v,
@@ -16,11 +16,11 @@
 // gives an error of at most 2 sec^kappa M/(e^(2 pi d/h) - 1) int F. A factor like 1/(x - x0), x0 real and outside,
 // gives one more power of sec.
 //
-// Beyond the node at distance u_N from an end with the power c the nodes have u_k^(c+1) = (L/(1 + e_k))^(c+1) e_k^(c+1), e_k =
-// e^-|tau_k|: the sum of e_k^(c+1) is geometric, and its factor lies in the range for 0 <= e <= e_N. So one more node
-// with u = [0, u_N] and that sum as its weight represents all of them, and the sum of the rule is enclosed up to its
-// end. The sum is short if u_N is small compared with the distances to all other points, even if the powers decrease
-// slowly.
+// Beyond the node at distance u_N from an end with the power c the nodes have u_k^(c+1) = (L/(1 + e_k))^(c+1)
+// e_k^(c+1), e_k = e^-|tau_k|: the sum of e_k^(c+1) is geometric, and its factor lies in the range for 0 <= e <= e_N.
+// So one more node with u = [0, u_N] and that sum as its weight represents all of them, and the sum of the rule is
+// enclosed up to its end. The sum is short if u_N is small compared with the distances to all other points, even if the
+// powers decrease slowly.
 
 #include <array>
 #include <vector>

@@ -8,8 +8,8 @@
 namespace steadyslide {
 namespace {
 
-/// A nonzero Gaussian integer x + iy times i^quarter_turns, with -x < y <= x. Its argument is quarter_turns * pi/2 +
-/// arctan(y/x); the second term lies in ]-pi/4, pi/4].
+/// A nonzero Gaussian integer x + iy times i^quarter_turns, with -x < y <= x. Its argument is
+/// quarter_turns * pi/2 + arctan(y/x); the second term lies in ]-pi/4, pi/4].
 struct Argument {
   Integer quarter_turns = 0;
   Integer x = 1;

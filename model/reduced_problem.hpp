@@ -21,8 +21,8 @@ struct Frame {
 
 struct ReducedProblem {
   ReducedProblem(const ContactProblem& problem, const Frame& frame);
-  /// Returns the reduced problem for all loads from `from` to `to`, in the user's unit. Throws InvalidData unless 0 <
-  /// from <= to.
+  /// Returns the reduced problem for all loads from `from` to `to`, in the user's unit. Throws InvalidData unless
+  /// 0 < from <= to.
   ReducedProblem for_loads(const Rational& from, const Rational& to) const;
 
   struct Anchor {

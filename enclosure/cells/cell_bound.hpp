@@ -3,9 +3,10 @@
 // no step.
 //
 // Pressures p = -t displace the surface downwards by -u = c B p, B p = -(1/pi) int p(x') log|x-x'| dx' + int_left^x s
-// p, up to a constant. Let p >= 0 be a solution of finite energy (one exists: [Bal16, theorem 1]), its gap G = psi/c +
-// B p - C >= 0, int p = P, int G p = 0. Let p_h >= 0 be any pressures with int p_h = P, and G_h = psi/c + B p_h - C_h
-// >= 0 at every place of the support. Then d = p - p_h has no resultant, D(x) = int_left^x d vanishes at both ends, and
+// p, up to a constant. Let p >= 0 be a solution of finite energy (one exists: [Bal16, theorem 1]), its gap
+// G = psi/c + B p - C >= 0, int p = P, int G p = 0. Let p_h >= 0 be any pressures with int p_h = P, and G_h = psi/c + B
+// p_h - C_h >= 0 at every place of the support. Then d = p - p_h has no resultant, D(x) = int_left^x d vanishes at both
+// ends, and
 //
 //   int d B d = int (p - p_h)(G - G_h) = int G_h p_h - int G p_h - int G_h p  <=  int G_h p_h,
 //   int d B d = b_0(d, d) + (1/2) sum_k [s_k] D(c_k)^2,   b_0(d, d) = -(1/pi) int int d d log|x-x'| >= 0,

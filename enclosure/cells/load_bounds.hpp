@@ -1,13 +1,13 @@
 #pragma once
-// Bounds of the load left of the friction jumps c_k from a bound of the energy. In units of P and of cell lengths: d =
-// p - p_h has no resultant, D(x) = int_left^x d, and (cell_bound.hpp)
+// Bounds of the load left of the friction jumps c_k from a bound of the energy. In units of P and of cell lengths:
+// d = p - p_h has no resultant, D(x) = int_left^x d, and (cell_bound.hpp)
 //
 //   beta + (1/2) sum_k [s_k] D(c_k)^2 <= E,   beta = b_0(d, d) = -(1/pi) int int d d log|x-x'| >= 0,   [s_k] >= 0.
 //
 // (i) By the inequality of Cauchy and Schwarz |sum a_k D(c_k)| <= sqrt(2 (E - beta) sum a_k^2/[s_k]).
 //
-// (ii) U(z) = -(1/pi) int d(x) log|z-x| dx has dU/dy = -d on the axis, from the upper half-plane, and decays. So int
-// phi d = int grad Phi . grad U <= |grad Phi| sqrt(beta) for any Phi that is phi on the axis. Let phi be 1 on the
+// (ii) U(z) = -(1/pi) int d(x) log|z-x| dx has dU/dy = -d on the axis, from the upper half-plane, and decays. So
+// int phi d = int grad Phi . grad U <= |grad Phi| sqrt(beta) for any Phi that is phi on the axis. Let phi be 1 on the
 // support [L, R] left of c, 0 right of c + eps, monotone in between, and free outside. Since p >= 0,
 //   D(c) = int_{x<c} p - int_{x<c} p_h <= int phi d + int_c^{c+eps} p_h <= q sqrt(beta) + m,   m = load of p_h on [c, c+eps].
 // The least |grad Phi|^2 = q^2 is that of the rectangle onto which the half-plane maps with L, c, c + eps, R at its corners,

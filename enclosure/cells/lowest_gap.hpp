@@ -18,8 +18,8 @@ struct LowestGap {
   std::optional<std::size_t> unfinished = {};
 };
 
-/// Returns the bound, with an error of at most (mean - min H)/256. `mean` is the mean of H over the pressures. `low`: H
-/// <= low at some place.
+/// Returns the bound, with an error of at most (mean - min H)/256. `mean` is the mean of H over the pressures. `low`:
+/// H <= low at some place.
 LowestGap lowest_gap(const CellGap& gap, const Ball& mean, const Ball& low, WorkBudget& work);
 
 }  // namespace steadyslide::enclosure

@@ -14,9 +14,9 @@
 // int (psi' - u')/c = int (g - g_k) + Y B_k, where k is the slope of the contact at that end. With this k, B_k is
 // analytic up to the end.
 //
-// The derivatives of the conditions need no derivative of an integral: near e_f, d(u'/c)/d e_f = Y (rho_f/(z - e_f) +
-// r(z)) with rho_f = p_f B(e_f) and r the polynomial part of -p_f q/(pi (z - e_f)); d/d tilt is 1 - Y [1/Y]_poly.
-// (Liouville's theorem.)
+// The derivatives of the conditions need no derivative of an integral: near e_f, d(u'/c)/d e_f = Y
+// (rho_f/(z - e_f) + r(z)) with rho_f = p_f B(e_f) and r the polynomial part of -p_f q/(pi (z - e_f)); d/d tilt is
+// 1 - Y [1/Y]_poly. (Liouville's theorem.)
 
 #include <algorithm>
 

@@ -6,14 +6,14 @@
 //   B_k(x) = [(g_k + tilt)/Y]_poly - q(x)/pi - (1/pi) int_K eps cos(pi alpha) (g - g_k)/|Y| dx'/(x'-x)
 //
 // [Bal16, theorem 36, reconstructed]. The integral is over other pieces than the one of the place x, but it may end at
-// this piece. Let c be such a point, d the distance of x from c, y the distance on the other side, a = -p and h(y) =
-// y^a G(y) the integrand, with G analytic across c. Then
+// this piece. Let c be such a point, d the distance of x from c, y the distance on the other side, a = -p and
+// h(y) = y^a G(y) the integrand, with G analytic across c. Then
 //
 //   int_0^L y^a G(y)/(y + d) dy = int_0^L y^a (G(y) - G(-d))/(y + d) dy + G(-d) int_0^L y^a/(y + d) dy
 //
 // (the last integral is in power_at_point.hpp), so B_k = R + C d^m E(d), where R and C are analytic up to c, and m is
-// the order of the zero of g - g_k at c. The difference quotient on the ellipse is at most (max |G| +
-// |G(-d)|)/(distance of -d from the ellipse).
+// the order of the zero of g - g_k at c. The difference quotient on the ellipse is at most (max
+// |G| + |G(-d)|)/(distance of -d from the ellipse).
 
 #include <array>
 #include <memory>

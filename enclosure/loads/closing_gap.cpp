@@ -13,7 +13,7 @@ std::optional<ContactBox> closed_gap(const ReducedProblem& problem, const Contac
   const auto ends = std::count_if(points.begin(), points.end(), [](const auto& point) { return point.is_end(); });
   const auto is_edge = [](const auto& point) { return point.is_end() && !point.vanishes; };
   if (ends != 4 || !is_edge(points.front()) || !is_edge(points.back())) return std::nullopt;
-  // Two of the four ends are those of the support; the others are the ends of the gap.
+  // Two of the four ends are ends of the support; the others are the ends of the gap.
   const std::size_t j = movable[0] + 1;
   const std::size_t c = points[j].anchor;
   if (points[j].is_end() || problem.anchors[c].step != 0) return std::nullopt;

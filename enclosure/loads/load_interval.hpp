@@ -17,7 +17,7 @@
 
 namespace steadyslide::enclosure {
 
-/// The precision; it is sufficient for boxes as wide as those of an interval.
+/// The precision; it is sufficient for boxes as wide as the box of an interval.
 inline constexpr Bits load_interval_bits = 64;
 
 struct LoadInterval {

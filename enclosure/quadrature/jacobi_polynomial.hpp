@@ -34,8 +34,8 @@ class JacobiPolynomial {
   /// Computes with `bits`. l = left, r = right: exact balls.
   JacobiPolynomial(int count, const Ball& left, const Ball& right, Bits bits);
 
-  /// Returns the only zero in a small neighbourhood of -1 + start (Side::left) or 1 - start (Side::right), 0 < start <
-  /// 2. Absent if it was not proved, because the start was too far away or there are too few bits.
+  /// Returns the only zero in a small neighbourhood of -1 + start (Side::left) or 1 - start (Side::right),
+  /// 0 < start < 2. Absent if it was not proved, because the start was too far away or there are too few bits.
   std::optional<Zero> zero_near(double start, Side side) const;
 
   /// Returns b_1 ... b_n (2n + s + 1). The rule's weights are this times int (1+x)^l (1-x)^r dx/((1 - x_i^2)

@@ -3,7 +3,7 @@
 //
 //   int_{-1}^{1} (1+x)^left (1-x)^right f(x) dx = sum_i w_i f(x_i) + R.
 //
-// The powers may be thin balls [l +- dl], [r +- dr]. Nodes x_i and weights w_i are those of the midpoints l and r, exact
+// The powers may be thin balls [l +- dl], [r +- dr]. Nodes x_i and weights w_i belong to the midpoints l and r, exact
 // numbers: x_i are the zeros of P_n^(r,l), proved one by one (jacobi_polynomial.hpp). There are n disjoint balls, so
 // they contain all zeros.
 //

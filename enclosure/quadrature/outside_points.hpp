@@ -27,12 +27,12 @@ class OutsideProduct {
 
   const std::vector<OutsidePoint>& points() const { return points_; }
 
-  /// Returns the product at a place with these distances from the interval's ends. Not finite if a distance may be <=
-  /// 0.
+  /// Returns the product at a place with these distances from the interval's ends. Not finite if a distance may
+  /// be <= 0.
   Ball at(const Ball& from_left, const Ball& from_right) const;
 
-  /// Returns a bound in the ellipse with foci 0 and L that reaches `reach` beyond both. Its points z have d_j - reach
-  /// <= |z + d_j| <= d_j + L + reach, with equality on the axis. Not finite unless every d_j > reach.
+  /// Returns a bound in the ellipse with foci 0 and L that reaches `reach` beyond both. Its points z have
+  /// d_j - reach <= |z + d_j| <= d_j + L + reach, with equality on the axis. Not finite unless every d_j > reach.
   Ball bound(const Ball& length, const Ball& reach) const;
 
  private:

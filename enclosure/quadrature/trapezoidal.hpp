@@ -8,10 +8,10 @@
 //   G(tau) = L^(left+right+1) (1+e^-tau)^-(left+1) (1+e^tau)^-(right+1) W F,
 // and singular places on the real axis outside the panel have |Im tau| = pi, also if they are close to an end.
 //
-// Discretisation. Let G be analytic for |Im tau| <= d except for a simple pole at a real tau_p, with nodes tau_k =
-// tau_p + (k+1/2) h (if there is no pole, any tau_p). In h sum G(tau_k) = (1/2i) (int_{Im=-d} - int_{Im=+d}) G cot(pi
-// (tau - tau_p - h/2)/h) dtau the pole adds nothing: cot(-pi/2) = 0. On the upper line cot w = -i - 2i e^(2iw)/(1 -
-// e^(2iw)), on the lower one its conjugate; the principal value is the mean of both lines' integrals. So
+// Discretisation. Let G be analytic for |Im tau| <= d except for a simple pole at a real tau_p, with nodes
+// tau_k = tau_p + (k+1/2) h (if there is no pole, any tau_p). In h sum G(tau_k) = (1/2i) (int_{Im=-d} - int_{Im=+d}) G
+// cot(pi (tau - tau_p - h/2)/h) dtau the pole adds nothing: cot(-pi/2) = 0. On the upper line cot w = -i - 2i
+// e^(2iw)/(1 - e^(2iw)), on the lower one its conjugate; the principal value is the mean of both lines' integrals. So
 //   |PV int G - h sum G(tau_k)| <= N/(e^(2 pi d/h) - 1),   N = int |G(t+id)| + |G(t-id)| dt.
 // N. |a + b e^(i theta)| >= (a+b) cos(theta/2) for a, b >= 0: with k = cos(d/2), |1 + e^-+tau| on the lines lies between k and
 // 1 times its value at t = Re tau, and a distance ((L+d_j) + d_j e^-tau)/(1+e^-tau) between k and 1/k times its own. Likewise

@@ -40,8 +40,8 @@ class TractionIntegrals {
     Rational ratio;  ///< t_t/t, exact, because the difference of rounded ratios would lose digits
   };
   /// All arguments belong to the reduced problem. In double, many panels with different friction are grouped in cells
-  /// where they are far from a place. The cells use the traction from `solution`, whose lengths are `unit` times those
-  /// of the density.
+  /// where they are far from a place. The cells use the traction from `solution`, whose lengths are `unit` times the
+  /// lengths of the density.
   TractionIntegrals(PiecewiseDensity<R> density, std::vector<OnPanel> on_panels, const R& gamma,
                     const ContactSolution<R>& solution, const R& unit);
 

@@ -71,8 +71,8 @@ class FrictionLayout {
 //   s_eff(alpha) + s_eff(-alpha) = (2/pi) int_1^oo (cosh A - cosh B) dx/sqrt(x^2-1).
 //
 // Two equal halves have A - B = (alpha_1 - alpha_2) log(x^2/(x^2-1)) and A + B = (alpha_1 + alpha_2) log((x+1)/(x-1)):
-// with the rougher half at the rear the friction is larger, for all s >= 0. To first order it is (4 G/pi^2) (s_1^2 -
-// s_2^2), G Catalan's constant.
+// with the rougher half at the rear the friction is larger, for all s >= 0. To first order it is (4 G/pi^2)
+// (s_1^2 - s_2^2), G Catalan's constant.
 //
 // Computed by the trapezoidal rule in log(x-1). All singular points of the integrand lie on Im = +-pi, for any
 // positions of the friction jumps, so the error decreases like e^(-2 pi^2/h) for every layout. The terms left of the

@@ -80,7 +80,7 @@ void CellMoments::shift_to_parent(std::size_t index) {
   const PanelTree::Cell& parent = tree_.cells()[cell.parent];
   const double ratio = parent.extent > 0 ? cell.extent / parent.extent : 1;
   const double shift = parent.left == index ? ratio - 1 : 1 - ratio;
-  // If the other child has no sources, the moments of this child are those of the parent.
+  // If the other child has no sources, the parent has the moments of this child.
   Series ratios, shifts;
   ratios[0] = shifts[0] = 1;
   for (std::size_t k = 1; k < terms; ++k) {

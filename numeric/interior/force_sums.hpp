@@ -12,9 +12,9 @@
 // equations of equilibrium (kappa + 1)/4 (sigma_xx + sigma_zz) and 2 mu times the rotation are the real and the imaginary
 // part of one function of x + iz, and sigma_xx + sigma_zz = 2 Im C + 2 Re C_t. It vanishes far away.
 //
-// Many forces around c, |x_i - c| <= h, are represented by their moments m_k = sum_i n_i ((x_i - c)/h)^k. Since 1/(1 -
-// 2 q s + s^2)^2 = sum_k C_k(q) s^k with Gegenbauer's polynomials C_k of index 2, at a distance D >= 3 h with q = (x -
-// c)/D
+// Many forces around c, |x_i - c| <= h, are represented by their moments m_k = sum_i n_i ((x_i - c)/h)^k. Since
+// 1/(1 - 2 q s + s^2)^2 = sum_k C_k(q) s^k with Gegenbauer's polynomials C_k of index 2, at a distance D >= 3 h with
+// q = (x - c)/D
 //
 //   M_j = (z/D)^(3-j)/D sum_i n_i (q - s_i)^j sum_k C_k(q) s_i^k,   s_i = (x_i - c)/D:
 //
@@ -65,7 +65,7 @@ void add_moments(const R* from, const R& scale, const R& shift, R* to) {
   std::vector<R> moments(from, from + moment_count<R>());
   R power = scale;
   for (std::size_t k = 1; k < moments.size(); ++k, power *= scale) moments[k] *= power;
-  // Computes the moments of (u + shift)^k from those of u^k.
+  // Computes the moments of (u + shift)^k from the moments of u^k.
   for (std::size_t pass = 1; pass < moments.size(); ++pass) {
     for (std::size_t k = moments.size() - 1; k >= pass; --k) moments[k] += shift * moments[k - 1];
   }

@@ -12,8 +12,8 @@
 //
 // As z -> 0 at a point of contact: sigma_zz -> t, sigma_xz -> -t_t = -r t, and with u_t'/c = H t_t + gamma t
 // [Bal16, (2)] sigma_xx -> t + 2 H t_t = (1 - 2 gamma) t + 2 u_t'/c; if one ratio r holds in the whole contact, this is
-// t + 2 r (u'/c + gamma r t). d u_z/dx -> -u', the displacement u of contact problems pointing along -z, and d u_x/dx
-// -> u_t', where the indenter is rigid. Outside the contact sigma_zz and sigma_xz -> 0.
+// t + 2 r (u'/c + gamma r t). d u_z/dx -> -u', the displacement u of contact problems pointing along -z, and d
+// u_x/dx -> u_t', where the indenter is rigid. Outside the contact sigma_zz and sigma_xz -> 0.
 //
 // A panel of the traction (piecewise_traction.hpp) at a distance of at least its length is replaced by the forces at
 // its nodes. Many far panels are replaced by their moments (force_sums.hpp). A near panel is divided at x and graded

@@ -1,6 +1,6 @@
 #pragma once
-// Complementary pivots for variables that satisfy linear equations: the path of points with x_k >= 0, y_k >= 0, x_k y_k
-// = 0 for all k, where one parameter is free.
+// Complementary pivots for variables that satisfy linear equations: the path of points with x_k >= 0, y_k >= 0, x_k
+// y_k = 0 for all k, where one parameter is free.
 //
 // The equations have the form of a dictionary, (variables on the left) = constants + matrix (variables on the right).
 // A path changes one right variable until a left one becomes zero. The two variables are exchanged, and then the

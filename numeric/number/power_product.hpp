@@ -9,8 +9,8 @@
 // Logarithm: d = 2^k m, m in [1, 2[; next to m lies an a with log2 a = H + L, H a multiple of 2^-16, and
 //   log2 d = (k + H) + (L + log2(1 + r)),   r = m/a - 1,   |r| < h = 2^-8.6,
 // the last by five terms of its series and the sixth in terms of lower ones by Chebyshev's T6: error 2^-57.8. Without
-// fused multiply-add, m - a is exact, with a the middle of m's 256th of [1, 2[, and L comes from a table. With it, r =
-// fma(m, c, -1) is exact, c = 1/a, and c is chosen so that L is below 2^-57 and negligible. Rounding of the second
+// fused multiply-add, m - a is exact, with a the middle of m's 256th of [1, 2[, and L comes from a table. With it,
+// r = fma(m, c, -1) is exact, c = 1/a, and c is chosen so that L is below 2^-57 and negligible. Rounding of the second
 // bracket adds less than 2^-59.
 //
 // Sum: p = p' + p'', p' a multiple of 2^-16. The products p' (k + H) are multiples of 2^-32: sums of them are exact below

@@ -21,7 +21,8 @@ constexpr double least_power = 1e-3;  // 1 + lambda
 /// h.
 double step(int per_octave) { return std::numbers::ln2 / per_octave; }
 
-/// Returns the integer part of 2^shift x. Sums of products of integers cost a third of those of floating-point numbers.
+/// Returns the integer part of 2^shift x. Sums of products of integers cost a third of the same sums of floating-point
+/// numbers.
 template <Real R>
 Integer shifted(const R& x, int shift) {
   Integer result;

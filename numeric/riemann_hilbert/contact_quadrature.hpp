@@ -89,8 +89,8 @@ class ContactQuadrature {
     std::vector<char> is_far;  ///< for each segment
     LocalSum<R> sum;
   };
-  /// Returns the series for a place, in higher precision than double. Null until so many consecutive places are in the
-  /// same segment that the series pays off.
+  /// Returns the series for a place, in higher precision than double. Null until the number of consecutive places in
+  /// the same segment is so large that the series pays off.
   const Local* local_sum(std::size_t slope, std::size_t component, const SurfacePoint<R>& at,
                          const std::vector<R>& density) const;
 

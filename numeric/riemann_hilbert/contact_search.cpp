@@ -249,7 +249,7 @@ class Search {
     const SegmentPlace last_end = together ? from : SegmentPlace{to.segment, R(0), to.from_left + to.from_right};
     const R part = together ? 0.25 : 0.5;
     set.open(between(from, first_end, part), between(to, last_end, part));
-    // A corner that penetrates touches first. The indices are those of the new points and of the corners.
+    // A corner that penetrates touches first. The indices refer to the new points and to the corners.
     const std::size_t right = to.segment + 3, left = from.segment;
     if (to.from_right == 0 && is_corner(set, End::right, right)) set.attach_to_anchor(right - 1, Side::right, false);
     if (from.from_left == 0 && is_corner(set, End::left, left)) set.attach_to_anchor(left + 1, Side::left, false);

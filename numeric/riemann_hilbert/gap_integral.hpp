@@ -28,8 +28,8 @@ struct GapNode {
 template <Real R>
 class GapIntegral {
  public:
-  /// Takes the gap beside the end of contact at point `end` of the set. `errors` are those of the state; without them
-  /// it counts as exact. `form` must outlive this object.
+  /// Takes the gap beside the end of contact at point `end` of the set. `errors` are the errors of the state; without
+  /// them it counts as exact. `form` must outlive this object.
   GapIntegral(const TractionRepresentation<R>& form, std::size_t end,
               std::optional<StateErrors<R>> errors = std::nullopt)
       : form_(&form), end_(end), errors_(std::move(errors)) {}

@@ -1,7 +1,7 @@
 #pragma once
 // The sign of the traction in the limit at a point of the contact, from the leading term of its local form. It is
-// decided without samples: t > 0 may hold on 1e-100 of the contact or less, where no place is ever sampled. D =
-// psi'(c+) - psi'(c-), [s] = s(c+) - s(c-), d the distance from the point:
+// decided without samples: t > 0 may hold on 1e-100 of the contact or less, where no place is ever sampled.
+// D = psi'(c+) - psi'(c-), [s] = s(c+) - s(c-), d the distance from the point:
 //
 //   end: edge, step, free end     t ~ -theta d^p                                       theta > 0
 //   jump, no wedge                t ~ -theta cos(pi alpha) d^beta                      theta > 0

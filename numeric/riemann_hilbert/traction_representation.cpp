@@ -8,7 +8,7 @@
 namespace steadyslide::numeric {
 namespace {
 
-/// Returns sum_k a_k x^k, and the sum of the absolute values of the terms; `sizes` are those of the a_k.
+/// Returns sum_k a_k x^k, and the sum of the absolute values of the terms; `sizes` belong to the a_k.
 template <Real R>
 Estimate<R> horner(const std::vector<R>& a, const std::vector<R>& sizes, const R& x) {
   R value = 0;

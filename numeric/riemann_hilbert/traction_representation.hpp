@@ -13,8 +13,8 @@
 //
 //   (u'/c - g_k - tilt)/Y = -B,   B = [(g_k + tilt)/Y]_poly - sum_j theta_j/(pi (x - e_j)) - (1/pi) int ...,
 //
-// and beside component i the same with Y_i and B_i = (x - e_i)^-sigma_i (B - B(e_i)); the term B(e_i) only if sigma_i =
-// 1.
+// and beside component i the same with Y_i and B_i = (x - e_i)^-sigma_i (B - B(e_i)); the term B(e_i) only if
+// sigma_i = 1.
 
 #include <functional>
 #include <memory>
@@ -67,7 +67,7 @@ class TractionRepresentation {
   /// Returns B_k at point j of the set, where k is the slope on that side. If the contact changes its polynomial at j,
   /// returns B_k without its singular term there (a multiple of |x - x_j|^-p, or of log|x - x_j| if p = 0).
   Estimate<R> regular_factor_at(std::size_t j, Side side) const;
-  /// Returns the error of B_k at a place due to these errors; at a free end, due to those of the other ends.
+  /// Returns the error of B_k at a place due to these errors; at a free end, due to the errors of the other ends.
   /// Neighbouring solutions differ by Y (sum_f p_f B(e_f) de_f/(z - e_f) + r(z)); with pivots, the terms of other
   /// components have the additional factor (Y_j/Y_i)(e_f).
   R error_of_state(const SurfacePoint<R>& at, const StateErrors<R>& errors) const;

@@ -157,7 +157,7 @@ class ContactSolution {
   /// Returns all values at one place of the surface, inside or outside the support.
   virtual Sample<R> at(const Rational& x) const = 0;
   /// Computes tractions and the shear along +x at many places, without gap, slope and errors. If the limits of at()
-  /// differ, it takes those of the larger pressure. The spans have the same length.
+  /// differ, it takes the limits of the larger pressure. The spans have the same length.
   virtual void tractions(std::span<const R> x, std::span<R> normal, std::span<R> shear) const {
     for (std::size_t i = 0; i < x.size(); ++i) {
       const Sample<R> there = at(Rational(x[i]));

@@ -27,8 +27,8 @@ Exponent alpha(const ContactProblem& problem, std::size_t piece) {
   return Exponent::angle(problem.coupled_friction(piece));
 }
 
-/// One choice of the jumps inside the contact, first <= index < last, with the two equations of the parabola: sum p r =
-/// 0 and sum p r^2 = moment.
+/// One choice of the jumps inside the contact, first <= index < last, with the two equations of the parabola: sum p
+/// r = 0 and sum p r^2 = moment.
 struct Equations {
   cl_F power_left;
   cl_F power_right;

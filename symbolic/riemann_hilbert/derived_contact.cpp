@@ -106,8 +106,8 @@ bool newton(const std::vector<ex>& conditions, const std::vector<ex>& unknowns, 
 
 }  // namespace
 
-/// Computes the free ends and N, with the sign of epsilon. Returns false if the conditions have no solution, or if N =
-/// 0.
+/// Computes the free ends and N, with the sign of epsilon. Returns false if the conditions have no solution, or if
+/// N = 0.
 bool DerivedContact::State::solve() {
   const std::vector<ex> p = symbols("p", places.size());
   const std::vector<ex> e = symbols("e", places.size());

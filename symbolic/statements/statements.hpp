@@ -33,8 +33,8 @@ std::vector<DecidedStatement> riemann_hilbert_statements();
 /// number of jumps by induction, and for every pair of Chebyshev's indices [Bal16, section 3.1].
 std::vector<DecidedStatement> energy_statements();
 
-/// Tractions given by Chebyshev coefficients, with symbols as indices: the logarithmic form, the sign form, norms; b =
-/// b_0 (1+K) with a skew K; the steps with pairings in the proofs of section 3.
+/// Tractions given by Chebyshev coefficients, with symbols as indices: the logarithmic form, the sign form, norms;
+/// b = b_0 (1+K) with a skew K; the steps with pairings in the proofs of section 3.
 std::vector<DecidedStatement> hilbert_statements();
 
 /// All of them.

@@ -19,8 +19,8 @@
 //                                     others before it
 //
 // Lists: [a, 0..3] and [f(j) | j = 0..3]; the first entry of p is p[0]. e_{j} is the name e_2 if j = 2, and {j} in the
-// name of an equation is replaced by its value. `i` is the imaginary unit, `edge` and `free` are 0 and 1, phase(form) =
-// exp(i pi form), alpha_k the angle of the k-th friction of the field.
+// name of an equation is replaced by its value. `i` is the imaginary unit, `edge` and `free` are 0 and 1,
+// phase(form) = exp(i pi form), alpha_k the angle of the k-th friction of the field.
 //
 // Functions of every text: expand(f), normal(f), log(f), diff(f, x), coeff(f, x, n), integral(f, x, a, b) of a polynomial,
 // chebyshev_T(n, x), chebyshev_U(n, x), max(a, ...), sum(list), polynomial(coefficients, x); same(a, b) is 1 or 0;
@@ -44,9 +44,9 @@
 namespace steadyslide::symbolic {
 
 /// Returns the statements of the text in its order. Statements without lines come from `decided_elsewhere`. `more` are
-/// functions that its expressions may use in addition to those of every text. Throws std::logic_error with file and
-/// line if the text cannot be read, if a statement is missing, or if a statement in `decided_elsewhere` is not in the
-/// text.
+/// functions that its expressions may use in addition to the functions of every text. Throws std::logic_error with file
+/// and line if the text cannot be read, if a statement is missing, or if a statement in `decided_elsewhere` is not in
+/// the text.
 std::vector<DecidedStatement> written_statements(std::string_view text,
                                                  const std::vector<DecidedStatement>& decided_elsewhere = {},
                                                  const WrittenFunctions& more = {});
