@@ -3,8 +3,8 @@
 // s never decreases towards +x, the profile has no steps and the indenter cannot tilt (theorem 1 of [Bal16]): then
 // there is exactly one solution p.
 //
-// Places are y = (x - left)/h, cell i is ]i, i+1[, and p_h = (P/h) n_i/S on it, S = sum n_i. The gap under p_h is, in units
-// of c P and up to a constant,
+// Places are y = (x - left)/h, cell i is ]i, i+1[, and p_h = (P/h) n_i/S on it, S = sum n_i. The gap under p_h is, in
+// units of c P and up to a constant,
 //
 //   H(y) = psi/(c P) - V(y)/(pi S) + F(y)/S,   V(y) = sum_m r_m l(y - m),   r_m = n_m - n_{m-1},   l(x) = x log|x|,
 //   F(y) = int_0^y s n dy'.

@@ -1,5 +1,6 @@
 #pragma once
-// The contact problem as exact data, read from a certificate or from a problem file (docs/problem-file.md), and reduced:
+// The contact problem as exact data, read from a certificate or from a problem file (docs/problem-file.md), and
+// reduced:
 //
 //   A t = g + tilt on the contact, g(xi) = psi'(x)/c, int t dxi = -P/unit, xi = (x - origin)/unit, s = +-gamma f.
 

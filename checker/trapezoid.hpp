@@ -7,10 +7,11 @@
 // panel is Im tau = +-pi. So panels need no grading, even if another singular point is very close.
 //
 // For |Im tau| <= d < pi and rho >= 0 one has cos(d/2) (1 + rho) <= |1 + rho e^(i phi)| <= 1 + rho, |phi| <= d. So
-// |u|, |v| and all |x - e_j| are those at t = Re tau up to the factor sec(d/2): between 1 and sec(d/2) times for u and v,
-// between cos(d/2) and sec(d/2) times for |x - e_j|. Hence
+// |u|, |v| and all |x - e_j| are those at t = Re tau up to the factor sec(d/2): between 1 and sec(d/2) times for u and
+// v, between cos(d/2) and sec(d/2) times for |x - e_j|. Hence
 //   |F(t + i y)| <= sec(d/2)^kappa F(t),  kappa = sum |c_j| + 2 (c + 1 for a power at an end),
-// and the trapezoidal rule with step h, |int F - h sum F(k h)| <= int |F(t+id)| + |F(t-id)| dt/(e^(2 pi d/h) - 1), errs by
+// and the trapezoidal rule with step h, |int F - h sum F(k h)| <= int |F(t+id)| + |F(t-id)| dt/(e^(2 pi d/h) - 1), errs
+// by
 //   2 sec(d/2)^kappa/(e^(2 pi d/h) - 1) int F:
 // a relative error that is known before any node is computed. An analytic factor f of F with |f| <= M in the strip
 // gives an error of at most 2 sec^kappa M/(e^(2 pi d/h) - 1) int F. A factor like 1/(x - x0), x0 real and outside,

@@ -1,6 +1,6 @@
 #pragma once
-// A mesh of the surface as a finite element code has it: linear elements with nodes at their ends, or quadratic ones with a
-// third node in their middle.
+// A mesh of the surface as a finite element code has it: linear elements with nodes at their ends, or quadratic ones
+// with a third node in their middle.
 
 #include <vector>
 

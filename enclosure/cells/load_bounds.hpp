@@ -10,7 +10,8 @@
 // int phi d = int grad Phi . grad U <= |grad Phi| sqrt(beta) for any Phi that is phi on the axis. Let phi be 1 on the
 // support [L, R] left of c, 0 right of c + eps, monotone in between, and free outside. Since p >= 0,
 //   D(c) = int_{x<c} p - int_{x<c} p_h <= int phi d + int_c^{c+eps} p_h <= q sqrt(beta) + m,   m = load of p_h on [c, c+eps].
-// The least |grad Phi|^2 = q^2 is that of the rectangle onto which the half-plane maps with L, c, c + eps, R at its corners,
+// The least |grad Phi|^2 = q^2 is that of the rectangle onto which the half-plane maps with L, c, c + eps, R at its
+// corners,
 //   q^2 = K(k')/K(k) = agm(1, k')/agm(1, k),   k^2 = eps (R-L)/((c+eps-L)(R-c)),   k'^2 = (c-L)(R-c-eps)/((c+eps-L)(R-c));
 // the real part of that map is monotone on [c, c+eps]. -D(c) has a similar bound with [c-eps, c]. Any eps is
 // admissible.

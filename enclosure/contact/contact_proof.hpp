@@ -1,6 +1,6 @@
 #pragma once
-// The proof that a contact problem has a solution whose ends lie in given intervals: one zero of the conditions in a box
-// (krawczyk.hpp), and every sign decided (decided_signs.hpp).
+// The proof that a contact problem has a solution whose ends lie in given intervals: one zero of the conditions in a
+// box (krawczyk.hpp), and every sign decided (decided_signs.hpp).
 
 #include <optional>
 #include <string>

@@ -7,8 +7,8 @@
 //   off the contact              gap' = psi' - u' = Y B_k; the gap is > 0 where it grows from the contact's end on, and
 //                                elsewhere if a lower bound of its integral, from the contact on either side, is.
 //
-// B_k = R + C E(d) next to a point, d the distance from it (traction_representation.hpp): on [0, d_1] by the range of E, which may be
-// unbounded, and outwards on intervals in geometric proportion, because E changes with log d.
+// B_k = R + C E(d) next to a point, d the distance from it (traction_representation.hpp): on [0, d_1] by the range of
+// E, which may be unbounded, and outwards on intervals in geometric proportion, because E changes with log d.
 
 #include <string>
 #include <vector>

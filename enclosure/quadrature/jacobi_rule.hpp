@@ -9,9 +9,9 @@
 //
 //   w_i = mu_0 b_1 ... b_n (2n+l+r+1)/((1 - x_i^2) P'(x_i)^2)  for the monic polynomial P and the weight's mass mu_0 (mass).
 //
-// Remainder. Let |f| <= M in the closed ellipse with foci -1, 1 and semi-axes (rho + 1/rho)/2 and (rho - 1/rho)/2, rho > 1
-// (Bernstein), f analytic there. Then f = sum_k a_k T_k with |a_k| <= 2 M rho^-k. The rule is exact for k < 2n, and as
-// |T_k| <= 1 on [-1, 1] and weights are positive with sum mu_0, each later T_k is wrong by at most 2 mu_0:
+// Remainder. Let |f| <= M in the closed ellipse with foci -1, 1 and semi-axes (rho + 1/rho)/2 and (rho - 1/rho)/2,
+// rho > 1 (Bernstein), f analytic there. Then f = sum_k a_k T_k with |a_k| <= 2 M rho^-k. The rule is exact for k < 2n,
+// and as |T_k| <= 1 on [-1, 1] and weights are positive with sum mu_0, each later T_k is wrong by at most 2 mu_0:
 //
 //   |R| <= 2 mu_0 sum_{k >= 2n} 2 M rho^-k = 4 mu_0 M rho^(1-2n)/(rho - 1).
 //
@@ -32,8 +32,8 @@ namespace steadyslide::enclosure {
 
 class JacobiRule {
  public:
-  /// Throws std::invalid_argument unless count >= 1 and both powers are certainly > -1, std::runtime_error if a node is not
-  /// proved. Distances and weights have a relative accuracy of about 2^-bits.
+  /// Throws std::invalid_argument unless count >= 1 and both powers are certainly > -1, std::runtime_error if a node is
+  /// not proved. Distances and weights have a relative accuracy of about 2^-bits.
   JacobiRule(int count, const Ball& left, const Ball& right, Bits bits);
 
   std::size_t size() const { return weights.size(); }

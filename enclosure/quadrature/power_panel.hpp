@@ -3,13 +3,14 @@
 //
 //   int_0^L y^left (L-y)^right W(y) F(y) dy,   W = prod_j (distance to the outside point j)^(power_j),
 //
-// left, right > -1, F analytic. With y = L (1+x)/2 this is (L/2)^(left+right+1) int (1+x)^left (1-x)^right W F dx, by the
-// Gauss-Jacobi rule with its remainder (jacobi_rule.hpp) in an ellipse rho, whose image has the foci 0 and L and reaches
+// left, right > -1, F analytic. With y = L (1+x)/2 this is (L/2)^(left+right+1) int (1+x)^left (1-x)^right W F dx, by
+// the Gauss-Jacobi rule with its remainder (jacobi_rule.hpp) in an ellipse rho, whose image has the foci 0 and L and
+// reaches
 //
 //   reach = (L/2) ((rho + 1/rho)/2 - 1)
 //
-// beyond each end. W is analytic there if every outside point is farther away than this. rho is chosen, in double, where
-// the bound of the remainder is smallest for constant F.
+// beyond each end. W is analytic there if every outside point is farther away than this. rho is chosen, in double,
+// where the bound of the remainder is smallest for constant F.
 
 #include <cmath>
 #include <vector>

@@ -13,10 +13,10 @@
 // cot(pi (tau - tau_p - h/2)/h) dtau the pole adds nothing: cot(-pi/2) = 0. On the upper line cot w = -i - 2i
 // e^(2iw)/(1 - e^(2iw)), on the lower one its conjugate; the principal value is the mean of both lines' integrals. So
 //   |PV int G - h sum G(tau_k)| <= N/(e^(2 pi d/h) - 1),   N = int |G(t+id)| + |G(t-id)| dt.
-// N. |a + b e^(i theta)| >= (a+b) cos(theta/2) for a, b >= 0: with k = cos(d/2), |1 + e^-+tau| on the lines lies between k and
-// 1 times its value at t = Re tau, and a distance ((L+d_j) + d_j e^-tau)/(1+e^-tau) between k and 1/k times its own. Likewise
-// |1/(y-p)| <= max(1/p, 1/(L-p))/sin(d/2) =: Q there. Let |F| <= M in the lens, the image of the strip, and W <= W_max on
-// the panel:
+// N. |a + b e^(i theta)| >= (a+b) cos(theta/2) for a, b >= 0: with k = cos(d/2), |1 + e^-+tau| on the lines lies
+// between k and 1 times its value at t = Re tau, and a distance ((L+d_j) + d_j e^-tau)/(1+e^-tau) between k and 1/k
+// times its own. Likewise |1/(y-p)| <= max(1/p, 1/(L-p))/sin(d/2) =: Q there. Let |F| <= M in the lens, the image of
+// the strip, and W <= W_max on the panel:
 //   N <= 2 k^-(left + right + 2 + sum |power_j|) L^(left+right+1) B(left+1, right+1) W_max M Q   (Q = 1 without a pole).
 // Omitted nodes: with tau_o the first one of them, the nodes below add, in a geometric series, at most
 //   h L^(left+right+1) W_max M Q_o e^((left+1) tau_o)/(1 - e^-(left+1)h),   Q_o = 1/(p - y(tau_o)),

@@ -98,8 +98,8 @@ class DistanceProduct {
 };
 #endif
 
-// The logarithm of prod_j |x - e_j|^{p_j} over the points e_j that are far from x, by cells (numeric/hierarchical/), for the
-// fundamental solution of many points in double. The caller adds the points near x.
+// The logarithm of prod_j |x - e_j|^{p_j} over the points e_j that are far from x, by cells (numeric/hierarchical/),
+// for the fundamental solution of many points in double. The caller adds the points near x.
 
 class DistantPowers {
  public:

@@ -1,10 +1,10 @@
 #pragma once
 // Finds the panel that contains a point x of the surface, and the distances of x from the ends of the panel.
 //
-// An end e is kept as two numbers, e = high + low, low = e - high rounded. (x - high) - low is x - e with a relative error
-// of at most eps(R), the distance from 1 to the next number, however close x is to e. If x and high have similar size,
-// x - high is exact; then low, which is below |x - e| unless x = high, is correct to half a unit. In a unit that is not
-// a power of two, distances have twice that error.
+// An end e is kept as two numbers, e = high + low, low = e - high rounded. (x - high) - low is x - e with a relative
+// error of at most eps(R), the distance from 1 to the next number, however close x is to e. If x and high have similar
+// size, x - high is exact; then low, which is below |x - e| unless x = high, is correct to half a unit. In a unit that
+// is not a power of two, distances have twice that error.
 
 #include <algorithm>
 #include <limits>

@@ -57,10 +57,11 @@ class FrictionLayout {
 //   s_eff = -int s t dx / P = (1/pi) int_1^oo [e^A - e^-B] dx/sqrt(x^2-1),
 //   A(x) = int_-1^1 alpha(y) dy/(x+y),   B(x) = int_-1^1 alpha(y) dy/(x-y),   alpha = arctan(s)/pi.
 //
-// Derivation, P = 1, t = -t_0 with A t_0 = 0: int s t_0 = -int_-1^1 H t_0, H t_0 = (1/pi) PV int t_0(x')/(x'-x) dx'. Over
-// the whole line int H t_0 = 0 in the sense lim int_-L^L, since H t_0 ~ -1/(pi x). So s_eff = int H t_0 over |x| > 1, where
-// H t_0 = -Y/pi; and log |Y| = -log(x^2-1)/2 + sum of beta_j log|x - c_j| and the ends' alphas, by parts -B to the right
-// of the punch and A to the left of it. With s = +-gamma f the effective coefficient of friction is s_eff/(+-gamma).
+// Derivation, P = 1, t = -t_0 with A t_0 = 0: int s t_0 = -int_-1^1 H t_0, H t_0 = (1/pi) PV int t_0(x')/(x'-x) dx'.
+// Over the whole line int H t_0 = 0 in the sense lim int_-L^L, since H t_0 ~ -1/(pi x). So s_eff = int H t_0 over
+// |x| > 1, where H t_0 = -Y/pi; and log |Y| = -log(x^2-1)/2 + sum of beta_j log|x - c_j| and the ends' alphas, by parts
+// -B to the right of the punch and A to the left of it. With s = +-gamma f the effective coefficient of friction is
+// s_eff/(+-gamma).
 //
 // e^A grows and e^-B falls with alpha at each place: s_eff is increasing in alpha, its derivative
 //
@@ -123,8 +124,8 @@ class EffectiveFriction {
 // largest where w is largest (bathtub principle). w is strictly convex with infinite limits at both ends: {w < const}
 // is an interval strictly inside. Smallest: the same with opposite signs.
 // The place of the interval solves a strictly concave problem (convex for the smallest): with D the difference of the
-// alphas, 0 < D < 1, phi half the length of the interval and c its centre, c enters by h(z) = ((z-phi)/(z+phi))^D, z = x+c in e^A
-// and, inverted, z = x-c in e^-B, and
+// alphas, 0 < D < 1, phi half the length of the interval and c its centre, c enters by h(z) = ((z-phi)/(z+phi))^D,
+// z = x+c in e^A and, inverted, z = x-c in e^-B, and
 //   h'' = 4 D phi (D phi - z)/(z^2-phi^2)^2 h < 0,   (1/h)'' > 0   for z > phi.
 // So the difference of w at the two jumps decreases as c grows, and has only one zero.
 
@@ -177,11 +178,12 @@ R order_of_periods(const R& e, const R& doubled, const R& doubled_twice);
 //
 //   from M_1/(1+M_0) - (1+M_0)/2 to (1-M_0)/2 - M_1/(1-M_0);   without friction from -1/2 to 1/2.
 //
-// Derivation: a slope k of the punch adds a multiple of (1/Y) without its part that falls at infinity, and 1/Y = x + M_0 + ...:
-// t = -t_0 (P + k (x + M_0)), int t = -P for every k. It is <= 0 all over if P + k (1 + M_0) >= 0 and P - k (1 - M_0) >= 0. The
-// load acts at -M_0 + (k/P) V, V the variance of t_0: Y = 1/x - M_0/x^2 + (1/2 + M_0^2/2 - M_1)/x^3 has the moments of t_0, so
-// V = (1 - M_0^2)/2 - M_1, and the two bounds of k give the two ends. In other words: the right end is the centroid of
-// 1/2 - alpha plus half its integral, the left end that of 1/2 + alpha minus half its integral. Nothing cancels for large s.
+// Derivation: a slope k of the punch adds a multiple of (1/Y) without its part that falls at infinity, and
+// 1/Y = x + M_0 + ...: t = -t_0 (P + k (x + M_0)), int t = -P for every k. It is <= 0 all over if P + k (1 + M_0) >= 0
+// and P - k (1 - M_0) >= 0. The load acts at -M_0 + (k/P) V, V the variance of t_0:
+// Y = 1/x - M_0/x^2 + (1/2 + M_0^2/2 - M_1)/x^3 has the moments of t_0, so V = (1 - M_0^2)/2 - M_1, and the two bounds
+// of k give the two ends. In other words: the right end is the centroid of 1/2 - alpha plus half its integral, the left
+// end that of 1/2 + alpha minus half its integral. Nothing cancels for large s.
 
 template <Real R>
 struct PunchCore {
@@ -199,9 +201,10 @@ std::optional<PunchCore<R>> punch_core(const ContactProblem& problem);
 //
 //   -int_-1^c t dx / P = I_u(1/2 - alpha_+, 1/2 + alpha_-),   I the regularised incomplete beta function.
 //
-// Derivation: v = (c-x)/(1-x) turns the integral of t_0 into cos(pi alpha_-)/pi (1-u)^(1/2+alpha_-) u^(1/2-alpha_+) B(1+beta,
-// 1/2-alpha_-) F(1, 1+beta; 3/2-alpha_+; u), F Gauss' function, beta = alpha_- - alpha_+; that is the series of I_u(a, b) = u^a (1-u)^b
-// F(1, a+b; a+1; u)/(a B(a,b)), with Gamma(1/2-alpha_-) Gamma(1/2+alpha_-) = pi/cos(pi alpha_-).
+// Derivation: v = (c-x)/(1-x) turns the integral of t_0 into cos(pi alpha_-)/pi (1-u)^(1/2+alpha_-) u^(1/2-alpha_+)
+// B(1+beta, 1/2-alpha_-) F(1, 1+beta; 3/2-alpha_+; u), F Gauss' function, beta = alpha_- - alpha_+; that is the series
+// of I_u(a, b) = u^a (1-u)^b F(1, a+b; a+1; u)/(a B(a,b)), with Gamma(1/2-alpha_-) Gamma(1/2+alpha_-) = pi/cos(pi
+// alpha_-).
 
 /// `u`, 0 < u < 1, is the share of the contact's length left of the jump.
 template <Real R>

@@ -3,17 +3,18 @@
 //
 //   Kernel::logarithm: sum_i w_i log|x - c_i|,   Kernel::cauchy: sum_i w_i/(c_i - x),   Kernel::distance: sum_i w_i/|c_i - x|.
 //
-// With the moments m_k of a cell with centre c and half-width h (cell_moments.hpp), at the distance D = |x - c|, r = +-h/D
-// with the sign of x - c, they are
+// With the moments m_k of a cell with centre c and half-width h (cell_moments.hpp), at the distance D = |x - c|,
+// r = +-h/D with the sign of x - c, they are
 //
 //   m_0 log D - sum_k m_k r^k/k,      -+(1/D) sum_k m_k r^k,      (1/D) sum_k m_k r^k.
 //
 // The sum of far cells is computed at the 22 Chebyshev nodes of a cell, passed down from cell to cell, and interpolated
 // on each panel. The caller adds the near panels, because it knows their sources better (panel_tree.hpp).
 //
-// Error. Far means a distance of at least the extent 2h of the sources and the length of the target: |r| <= 1/3, so that
-// the series' rest is below 3^-34/34 < 2e-18 of sum |w_i| (logarithm) or 1.5 3^-34 < 1e-16 of sum |w_i|/D (Cauchy); and the
-// nearest source is outside the Bernstein ellipse rho = 3 + sqrt 8 of the target, so that interpolation errs by
+// Error. Far means a distance of at least the extent 2h of the sources and the length of the target: |r| <= 1/3, so
+// that the series' rest is below 3^-34/34 < 2e-18 of sum |w_i| (logarithm) or 1.5 3^-34 < 1e-16 of sum |w_i|/D
+// (Cauchy); and the nearest source is outside the Bernstein ellipse rho = 3 + sqrt 8 of the target, so that
+// interpolation errs by
 // 4 rho^-22/22/(1 - 1/rho) < 4e-18 or, relative to the largest value on it, 4 rho^-22 < 6e-17. The rest is rounding. A
 // value v in one cell has the error epsilon v times the Lebesgue constant of the nodes, 2.9. Passed down, it remains a
 // polynomial of the same degree, so the errors of several levels add and do not grow. The two constants below estimate

@@ -3,8 +3,8 @@
 //
 //   sum_i w_i (c_i - e)^-sigma/(c_i - x),   sigma = 1, 0 or -1.
 //
-// A cell whose sources are far from both is one series. With D = |c - x|, E = |c - e| from its centre, h its half-width,
-// u in [-1, 1] its places, r = +-h/D and q = +-h/E with the sign of x - c, on either side of x and e:
+// A cell whose sources are far from both is one series. With D = |c - x|, E = |c - e| from its centre, h its
+// half-width, u in [-1, 1] its places, r = +-h/D and q = +-h/E with the sign of x - c, on either side of x and e:
 //
 //   sigma = 0:   -+(1/D) sum_k r^k u^k,
 //   sigma = 1:   1/(D E) sum_k H_k u^k,   H_k = r H_{k-1} + q^k (complete homogeneous polynomials),

@@ -9,8 +9,8 @@
 //   tangential:   (pi/2) (xx, zz, xz) = -(M_3, M_1, M_2),     pi W = M_0 + M_2,
 //
 // W = Im C_t - Re C, which is (d u_z/dx - d u_x/dz)/(2 c), c the half-space's compliance (kappa + 1)/(4 mu): by the
-// equations of equilibrium (kappa + 1)/4 (sigma_xx + sigma_zz) and 2 mu times the rotation are the real and the imaginary
-// part of one function of x + iz, and sigma_xx + sigma_zz = 2 Im C + 2 Re C_t. It vanishes far away.
+// equations of equilibrium (kappa + 1)/4 (sigma_xx + sigma_zz) and 2 mu times the rotation are the real and the
+// imaginary part of one function of x + iz, and sigma_xx + sigma_zz = 2 Im C + 2 Re C_t. It vanishes far away.
 //
 // Many forces around c, |x_i - c| <= h, are represented by their moments m_k = sum_i n_i ((x_i - c)/h)^k. Since
 // 1/(1 - 2 q s + s^2)^2 = sum_k C_k(q) s^k with Gegenbauer's polynomials C_k of index 2, at a distance D >= 3 h with

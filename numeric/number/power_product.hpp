@@ -13,13 +13,13 @@
 // r = fma(m, c, -1) is exact, c = 1/a, and c is chosen so that L is below 2^-57 and negligible. Rounding of the second
 // bracket adds less than 2^-59.
 //
-// Sum: p = p' + p'', p' a multiple of 2^-16. The products p' (k + H) are multiples of 2^-32: sums of them are exact below
-// 2^21. The rest, p'' (k + H) + p (L + log2(1 + r)), is below |p| 2^-6.4, and is added to the sum after every eighth
-// factor.
+// Sum: p = p' + p'', p' a multiple of 2^-16. The products p' (k + H) are multiples of 2^-32: sums of them are exact
+// below 2^21. The rest, p'' (k + H) + p (L + log2(1 + r)), is below |p| 2^-6.4, and is added to the sum after every
+// eighth factor.
 //
-// Error, in units in the last place of the result, of n factors, W = sum |p_j|, w the largest such sum over eight factors
-// in a row: 1.7 from 2^S (2^-55 in its argument, three roundings of its polynomial's last two steps, up to sqrt 2 below 1),
-// ln 2 2^53 times the above from the sums; altogether at most
+// Error, in units in the last place of the result, of n factors, W = sum |p_j|, w the largest such sum over eight
+// factors in a row: 1.7 from 2^S (2^-55 in its argument, three roundings of its polynomial's last two steps, up to sqrt
+// 2 below 1), ln 2 2^53 times the above from the sums; altogether at most
 //
 //   1.7 + W/11 + n w/60,
 //

@@ -180,8 +180,8 @@ double slight_curve(double x, double from, double to, double size) {
 
 PivotPath load_path(const Eigen::MatrixXd& influence, const Eigen::VectorXd& heights,
                     const std::vector<std::size_t>& first, const std::optional<Levers>& levers, int most_pivots) {
-  // Variables: forces (0..n-1), gaps (n..2n-1), approach, the load, the tilt over the whole width and the moment about the load,
-  // which always stays on the right: it is zero.
+  // Variables: forces (0..n-1), gaps (n..2n-1), approach, the load, the tilt over the whole width and the moment about
+  // the load, which always stays on the right: it is zero.
   const Index n = heights.size();
   const Index approach = 2 * n, load = approach + 1, tilt = approach + 2, moment = approach + 3;
   const Index rest = levers ? 2 : 1;

@@ -1,5 +1,6 @@
 #pragma once
-// Expressions in the texts of statements: + - * / ^, parentheses, numbers, names, name_{index}, calls, [lists], list[index].
+// Expressions in the texts of statements: + - * / ^, parentheses, numbers, names, name_{index}, calls, [lists],
+// list[index].
 
 #include <ginac/ginac.h>
 

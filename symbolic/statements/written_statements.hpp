@@ -22,13 +22,13 @@
 // name of an equation is replaced by its value. `i` is the imaginary unit, `edge` and `free` are 0 and 1,
 // phase(form) = exp(i pi form), alpha_k the angle of the k-th friction of the field.
 //
-// Functions of every text: expand(f), normal(f), log(f), diff(f, x), coeff(f, x, n), integral(f, x, a, b) of a polynomial,
-// chebyshev_T(n, x), chebyshev_U(n, x), max(a, ...), sum(list), polynomial(coefficients, x); same(a, b) is 1 or 0;
-// at(f, x, v, y, w, ...) replaces x by v, y by w, ...; squares(f, p, v, q, w, ...) replaces p^2 by v, q^2 by w, ... in
-// the expanded f; ratio(s, h, d), source(s, h, d): jump_relation, with default values h = i and d = 1;
+// Functions of every text: expand(f), normal(f), log(f), diff(f, x), coeff(f, x, n), integral(f, x, a, b) of a
+// polynomial, chebyshev_T(n, x), chebyshev_U(n, x), max(a, ...), sum(list), polynomial(coefficients, x); same(a, b) is
+// 1 or 0; at(f, x, v, y, w, ...) replaces x by v, y by w, ...; squares(f, p, v, q, w, ...) replaces p^2 by v, q^2 by w,
+// ... in the expanded f; ratio(s, h, d), source(s, h, d): jump_relation, with default values h = i and d = 1;
 // left_edge(alpha), right_edge(alpha), left_free(alpha), right_free(alpha), jump(alpha_l, alpha_r): the derived
-// exponents; powers(left, right, jumps, ...): the powers of Y for components from left to right; sign(f): 1 or -1, decided
-// in the field. With lists of powers, places, power sums and coefficients, as in polynomial_slope.hpp:
+// exponents; powers(left, right, jumps, ...): the powers of Y for components from left to right; sign(f): 1 or -1,
+// decided in the field. With lists of powers, places, power sums and coefficients, as in polynomial_slope.hpp:
 // power_sums(powers, places, n), binomials(powers, places, n), series_of_Y(sums), series_of_reciprocal(sums),
 // N_of(order, slope, sums, load over pi), conditions(the same), F_of(order, slope, N, series, n).
 
