@@ -9,8 +9,8 @@
 //
 //   |sum_l d_l T_n(y)/T_n(y_l)/(x_l - x)| <= sum_l |d_l|/(delta T_n(1 + delta/a))
 //
-// if no x_l is closer than delta to the panel of half the length a: |T_n| <= 1 on the panel and grows off it, where
-// T_n(y)| = cosh(n acosh |y|) > z^n/2, z = |y| + sqrt(y^2 - 1). All sums of B_k's rules are interpolated in this way,
+// if no x_l is closer than delta to the panel of half the length a: |T_n| <= 1 on the panel, and outside it grows:
+// |T_n(y)| = cosh(n acosh |y|) > z^n/2, z = |y| + sqrt(y^2 - 1). All sums of B_k's rules are interpolated in this way,
 // together with [(g_k + tilt)/Y]_poly - q/pi, whose degree is below n. The errors of the rules are added.
 
 #include <optional>

@@ -22,7 +22,7 @@ namespace steadyslide::checker {
 
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-/// Y|^exponent d(x, extra)^-1 on the panel from `start` right of point i to `end` left of point j; `extra` is a point
+/// |Y|^exponent d(x, extra)^-1 on the panel from `start` right of point i to `end` left of point j; `extra` is a point
 /// or none. The reaches are those for Trapezoid; zero means half the neighbouring segment.
 struct PowerPanel {
   const Contact& contact;
@@ -97,7 +97,7 @@ class TractionRepresentation {
 
  private:
   void add_integrals(std::size_t segment, const std::vector<bool>& asked);
-  /// x' - x| is near + u over a segment on the right of a place, and near + v over a segment on the left.
+  /// |x' - x| is near + u over a segment on the right of a place, and near + v over a segment on the left.
   struct Near {
     Ball near;
     bool on_right;

@@ -17,7 +17,7 @@ int ContactTopology::degree_at_infinity() const {
 }
 
 std::string ContactTopology::fault(const ReducedProblem& problem) const {
-  std::size_t next = 0;  // the anchor that has not been met yet
+  std::size_t next = 0;  // the next anchor that must occur
   bool contact = false;
   bool any = false;
   for (std::size_t j = 0; j < points.size(); ++j) {

@@ -11,11 +11,11 @@
 namespace steadyslide {
 
 struct ContactTopology {
-  enum class Kind { interior, begins, ends };  ///< contact begins or ends here, from left to right
+  enum class Kind { interior, begins, ends };  ///< interior, or contact begins or ends here, from left to right
 
   struct Point {
-    std::size_t anchor;               ///< the anchor itself, or
-    std::optional<Side> beside = {};  ///< a free end on this side of it
+    std::size_t anchor;               ///< the point is at this anchor,
+    std::optional<Side> beside = {};  ///< or, if set, a free end on this side of the anchor
     Kind kind = Kind::interior;
     bool vanishes = false;  ///< an end where the traction vanishes
 

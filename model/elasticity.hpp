@@ -44,9 +44,9 @@ class Elasticity {
   const Rational& gamma() const { return gamma_; }
   const Rational& compliance() const { return compliance_; }
   Plane plane() const { return plane_; }
-  /// Absent for reduced data.
+  /// Returns the half-space; absent for reduced data.
   const std::optional<Solid>& half_space() const { return half_space_; }
-  /// Absent for a rigid indenter.
+  /// Returns the indenter; absent for a rigid indenter.
   const std::optional<Solid>& indenter() const { return indenter_; }
   friend bool operator==(const Elasticity&, const Elasticity&) = default;
 

@@ -1,6 +1,6 @@
 #pragma once
 // The power of the distance to a singular point in the normal traction: offset + sum of times * arctan(slope) / pi,
-// with a rational offset (a multiple of 1/4) and rational slopes s = gamma f. Exact: it has no precision.
+// with a rational offset (a multiple of 1/4) and rational slopes s = gamma f. It is exact and has no precision.
 
 #include <string>
 #include <vector>
@@ -11,7 +11,7 @@ namespace steadyslide {
 
 class Exponent {
  public:
-  /// One term times * arctan(slope) / pi. Kept with slope > 0 and times != 0.
+  /// One term times * arctan(slope) / pi. Stored with slope > 0 and times != 0.
   struct Angle {
     int times;
     Rational slope;
@@ -27,7 +27,7 @@ class Exponent {
     friend bool operator==(const Reduced&, const Reduced&) = default;
   };
 
-  /// A plain number. Throws InvalidData unless 4 * offset is an integer.
+  /// A number without angles. Throws InvalidData unless 4 * offset is an integer.
   explicit Exponent(const Rational& offset = 0);
 
   /// alpha = arctan(slope)/pi, the angle of the friction s = slope [Bal16, (4)].
@@ -38,7 +38,7 @@ class Exponent {
 
   /// Exact for any slopes: multiplies Gaussian integers and counts the quadrants of the product's argument.
   Reduced reduced() const;
-  /// -1, 0 or +1, exactly.
+  /// Returns the exact sign: -1, 0 or +1.
   int sign() const;
 
   Exponent& operator+=(const Exponent& other);

@@ -10,14 +10,15 @@ namespace steadyslide {
 
 class FrictionProfile {
  public:
-  /// values f_0..f_m >= 0 and jumps c_1 < ... < c_m; a jump of height zero is legal. Throws InvalidData.
+  /// Takes values f_0..f_m >= 0 and jumps c_1 < ... < c_m; a jump of height zero is allowed. Throws InvalidData
+  /// otherwise.
   explicit FrictionProfile(std::vector<Rational> values, std::vector<Rational> jumps = {});
 
   const std::vector<Rational>& values() const { return values_; }
   const std::vector<Rational>& jumps() const { return jumps_; }
-  /// f at x; at a jump, the limit from that side.
+  /// Returns f at x; at a jump, the limit from that side.
   const Rational& at(const Rational& x, Side side) const { return values_[piece(x, side)]; }
-  /// The index of the piece that contains x; at a jump, the piece on that side.
+  /// Returns the index of the piece that contains x; at a jump, of the piece on that side.
   std::size_t piece(const Rational& x, Side side) const;
 
   /// Returns the profile in the coordinate y = scale x + shift, scale != 0. A negative scale exchanges left and right.

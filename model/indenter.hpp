@@ -1,6 +1,6 @@
 #pragma once
-// The indenter's shape psi(x) on its support, upwards = away from the body: -z = psi(x). Piecewise polynomial; where
-// two pieces meet the slope may jump (a wedge) and the value may jump (a step). [Bal16, section 2]
+// The indenter's shape psi(x) on its support, positive upwards, away from the body: -z = psi(x). It is piecewise
+// polynomial. Where two pieces meet, the slope may jump (a wedge) and the value may jump (a step). [Bal16, section 2]
 
 #include <vector>
 

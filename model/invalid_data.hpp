@@ -7,9 +7,9 @@
 
 namespace steadyslide {
 
-/// Says which datum is wrong, which rule it breaks, and its value.
-/// `field` names the datum the way a problem file does ("friction.jumps[1]"), so that a reader can find its line.
-/// Always exported from the shared library, because programs catch it.
+/// The message contains the wrong datum, the rule that it breaks, and its value.
+/// `field` names the datum as a problem file does ("friction.jumps[1]"), so that a reader can find its line. Always
+/// exported from the shared library, because programs catch it.
 class __attribute__((visibility("default"))) InvalidData : public std::invalid_argument {
  public:
   /// Takes a complete message that names the datum.

@@ -53,7 +53,7 @@ Rational parse_decimal(std::string_view text, std::string_view whole) {
   }
   if (i != text.size()) not_a_number(whole);
 
-  // GMP reads a leading zero as the octal prefix.
+  // GMP would read a leading zero as an octal prefix.
   digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1));
   Integer mantissa(digits);
   if (negative) mantissa = -mantissa;

@@ -32,7 +32,7 @@ struct ReducedProblem {
   };
   struct Interval {
     std::size_t slope;     ///< index into `slopes`
-    std::size_t friction;  ///< which value of the friction
+    std::size_t friction;  ///< index of the friction value
     Rational s;            ///< +-gamma f
   };
 

@@ -28,12 +28,12 @@ enum class SingularKind { edge, free, step, friction_jump, wedge, wedge_and_jump
 struct LocalTerms {
   SingularKind kind;
   std::string_view name;  ///< in the interface and in files
-  bool is_end;            ///< contact ends there; otherwise there is contact on both sides, and
-  bool friction_jumps;    ///< the friction changes,
-  bool slope_jumps;       ///< the slope of the profile changes
-  bool has_power;         ///< the traction has a power of the distance,
-  bool has_logarithm;     ///< a logarithm of it,
-  bool has_constant;      ///< a constant beside that
+  bool is_end;            ///< contact ends there; otherwise there is contact on both sides
+  bool friction_jumps;    ///< the friction changes there
+  bool slope_jumps;       ///< the slope of the profile changes there
+  bool has_power;         ///< the traction has a power of the distance
+  bool has_logarithm;     ///< the traction has a logarithm of the distance
+  bool has_constant;      ///< the traction has a constant besides
 };
 const LocalTerms& local_terms(SingularKind kind);
 inline std::string_view name_of(SingularKind kind) { return local_terms(kind).name; }
@@ -44,7 +44,7 @@ enum class ContactSide { left, right, both };
 std::string_view name_of(ContactSide side);
 
 struct SingularPoint {
-  std::optional<Rational> x;  ///< absent: anywhere under the friction value given
+  std::optional<Rational> x;  ///< absent: anywhere under the given friction value
   SingularKind kind;
   ContactSide contact;               ///< the side of x on which there is contact
   std::vector<Rational> friction;    ///< f on the contact side, or left and right of x

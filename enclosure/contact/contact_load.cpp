@@ -95,7 +95,7 @@ std::vector<TractionRule> ContactLoad::rules(std::size_t segment, const ContactP
       }
     }
   };
-  // Outwards from the nearer of the segment's points.
+  // Divide outwards from the nearer of the segment's points.
   const Ball& whole = set_.length(segment);
   const Ball half = whole / Ball(2);
   const auto is_before = [](const Ball& a, const Ball& b) { return a.midpoint() < b.midpoint(); };

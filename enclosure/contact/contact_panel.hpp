@@ -1,8 +1,8 @@
 #pragma once
-// A Gauss-Jacobi rule for int F |Y|^n dx over a panel, a part of a segment of the contact set which touches one of the
-// segment's points at most: n = 1 or -1, and |Y| is a product of powers of distances to the set's points, one of which
-// may be lowered by one more. With the panel's length L, the power a of the point that it touches (0 if none) and F
-// analytic and |F| <= M in the panel's Bernstein ellipse rho > 1, the rule of N nodes errs by no more than
+// A Gauss-Jacobi rule for int F |Y|^n dx over a panel. A panel is a part of a segment of the contact set and touches at
+// most one of the segment's points. n = 1 or -1, and |Y| is a product of powers of distances to the set's points; one
+// power may be lowered by one. Let L be the panel's length, a the power of the point that it touches (0 if none), and F
+// analytic with |F| <= M in the panel's Bernstein ellipse rho > 1. The error of the rule with N nodes is at most
 //
 //   4 mu (L/2)^(a+1) M Q rho^(1-2N)/(rho-1),   mu = int_{-1}^{1} (1+x)^a dx,
 //

@@ -3,8 +3,8 @@
 // anchors and free ends. A free end is an anchor plus or minus an offset h > 0, and the unknown is log h. So the
 // distance between close ends, or between an end and an anchor, has full relative precision.
 //
-// Powers of the fundamental solution Y = prod (z - e_j)^{p_j} [Bal16, theorem 36]: at an end of contact that of an edge
-// or of a free end, inside the contact that of the friction's jump, else 0.
+// Powers of the fundamental solution Y = prod (z - e_j)^{p_j} [Bal16, theorem 36]: at an end of contact the power of an
+// edge or of a free end, inside the contact the power of the friction jump, otherwise 0.
 
 #include <algorithm>
 #include <vector>

@@ -28,7 +28,7 @@ namespace steadyslide::enclosure {
 struct LocalValue {
   Ball regular;      ///< R
   Ball coefficient;  ///< C
-  Ball singular;     ///< d^m E(d), for d from the smallest (0 may not be finite)
+  Ball singular;     ///< d^m E(d); at d = 0 it may not be finite
   Ball least;        ///< a lower bound of `singular`, which a very wide ball would lose
   bool has_singular = false;
   Ball shift = Ball(0);  ///< the part of C d^m E(d) that is not a pure power or logarithm of d
@@ -72,8 +72,8 @@ class TractionRepresentation {
   /// The different polynomials g_k, and the index of the one on a segment.
   struct Slope {
     Polynomial exact;
-    BallPolynomial coefficients;  ///< of g_k + tilt
-    BallPolynomial rational;      ///< of [(g_k + tilt)/Y]_poly - q/pi
+    BallPolynomial coefficients;  ///< coefficients of g_k + tilt
+    BallPolynomial rational;      ///< coefficients of [(g_k + tilt)/Y]_poly - q/pi
   };
   std::size_t slope_of(std::size_t segment) const { return set_.interval(segment).slope; }
   const Slope& slope(std::size_t k) const { return slopes_[k]; }

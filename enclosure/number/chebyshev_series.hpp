@@ -4,7 +4,7 @@
 //
 //   f(t) = sum_{j<n} c_j T_j(t) + e(t),  -1 <= t <= 1,   |e| <= 4 M rho^(1-n)/(rho-1) + (1 + (2/pi) log n) r.
 //
-// f| <= M in Bernstein's ellipse rho > 1, so the Chebyshev coefficients of f are at most 2 M rho^-k. At the nodes each
+// |f| <= M in Bernstein's ellipse rho > 1, so the Chebyshev coefficients of f are at most 2 M rho^-k. At the nodes each
 // T_k with k >= n is 0 or, up to its sign, one of the first n; so its coefficient counts twice in the error: it is
 // missing, and it is added there. The midpoints of balls are interpolated; r is their largest radius, and its factor
 // bounds Lebesgue's constant [Trefethen, Approximation Theory and Approximation Practice, theorems 8.1, 4.2, 15.2].

@@ -6,7 +6,7 @@
 namespace steadyslide::enclosure {
 namespace {
 
-/// Bounds need few digits.
+/// The precision of bounds, which need few digits.
 constexpr Bits root_bits = 64;
 
 Ball upper_size(const Ball& x) { return abs(x).at(root_bits).upper(); }

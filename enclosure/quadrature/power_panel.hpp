@@ -54,7 +54,7 @@ class PowerPanel {
   /// The same for a polynomial F of degree < 2 count without outside points, |F| <= bound_of_F on the panel.
   Ball remainder_of_polynomial(const Ball& bound_of_F) const { return polynomial_remainder_ * bound_of_F; }
 
-  /// F takes a Node and returns a Ball.
+  /// Returns the integral. F takes a Node and returns a Ball.
   template <class F>
   Ball integral(const F& f, const Ball& bound_of_F) const {
     return sum(f, remainder(bound_of_F));

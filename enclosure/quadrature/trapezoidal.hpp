@@ -56,7 +56,7 @@ class Trapezoidal {
   /// Returns a bound of |int - sum weight F(node)| for |F| <= bound_of_F in the lens.
   Ball remainder(const Ball& bound_of_F) const { return remainder_ * bound_of_F; }
 
-  /// F takes a Node and returns a Ball.
+  /// Returns the integral. F takes a Node and returns a Ball.
   template <class F>
   Ball integral(const F& f, const Ball& bound_of_F) const {
     Ball sum(0, bits_);

@@ -11,7 +11,7 @@
 namespace steadyslide::numeric {
 
 /// t(x) = from_left^{left.value} from_right^{right.value} smooth(node), both powers > -1.
-/// `smooth` may have branch points on the real axis outside the closed panel, no singularity elsewhere.
+/// `smooth` may have branch points on the real axis outside the closed panel, and no other singularities.
 template <Real R>
 struct PanelDensity {
   Panel<R> panel;

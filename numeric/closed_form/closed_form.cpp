@@ -223,7 +223,7 @@ Residuals<R> ClosedForm<R>::residuals() const {
       deepest = max(deepest, check().penetration(panel, side, distance, rise));
     }
   }
-  // Reduced (divided by c), and so is the bound c P / c.
+  // Both are reduced (divided by c): the penetration, and its bound c P / c.
   result.penetration = deepest / load;
   result.tension = max(check().highest_traction(), R(0)) * width / load;
   return result;

@@ -23,8 +23,8 @@ namespace steadyslide::numeric {
 template <Real R>
 struct FrictionStrip {
   R length;
-  R from_left;   ///< from the punch's left end to the strip's
-  R from_right;  ///< from the strip's right end to the punch's
+  R from_left;   ///< from the punch's left end to the strip's left end
+  R from_right;  ///< from the strip's right end to the punch's right end
   R alpha;
   R below_half;  ///< 1/2 - alpha, to full relative precision for any friction
   R above_half;  ///< 1/2 + alpha

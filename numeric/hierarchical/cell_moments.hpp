@@ -38,9 +38,9 @@ class CellMoments {
   void gather(const std::vector<Source>& sources, const std::vector<std::vector<double>>& weights);
   void shift_to_parent(std::size_t cell);
 
-  std::size_t stride_;  ///< of the moments of a cell
+  std::size_t stride_;  ///< number of moments of a cell
   PanelTree tree_;
-  std::vector<double> moments_;  ///< of each cell, of each sum
+  std::vector<double> moments_;  ///< for each cell and each sum
 };
 
 }  // namespace steadyslide::numeric::hierarchical

@@ -41,7 +41,7 @@ class LineSum {
  public:
   enum class Kernel { logarithm, cauchy, distance };
 
-  /// Sources from left to right; weights[s][i] is that of source i in sum number s.
+  /// Takes sources from left to right; weights[s][i] is the weight of source i in sum number s.
   LineSum(std::vector<Kernel> kernels, const std::vector<double>& lengths, const std::vector<Source>& sources,
           const std::vector<std::vector<double>>& weights);
 
@@ -64,7 +64,7 @@ class LineSum {
 
   std::vector<Kernel> kernels_;
   CellMoments moments_;
-  std::vector<double> fields_;  ///< of each panel, of each sum: coefficients of Chebyshev's polynomials
+  std::vector<double> fields_;  ///< for each panel and each sum: coefficients of Chebyshev's polynomials
 };
 
 }  // namespace steadyslide::numeric::hierarchical

@@ -57,7 +57,7 @@ class InteriorStress {
     SurfacePlace<R> centre;
     R half;
     std::size_t children;  ///< index of the second child; the first child follows its parent; 0: none
-    std::size_t moments;   ///< of the normal forces, then of the tangential ones
+    std::size_t moments;   ///< moments of the normal forces, then of the tangential ones
     R normal_error;
     R tangential_error;
     R normal_shift;  ///< sum of force times possible displacement

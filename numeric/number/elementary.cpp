@@ -81,7 +81,7 @@ void pow(mpfr_ptr result, mpfr_srcptr base, mpfr_srcptr exponent) {
     arb_exp(ball, ball, bits);
     if (ball.rounded_to(result)) return;
   }
-  // An odd power of 0 has its sign.
+  // An odd power of 0 has the sign of the zero.
   if (mpfr_zero_p(base) != 0 && whole && mpfr_sgn(exponent) > 0 && mpfr_fits_ulong_p(exponent, MPFR_RNDN) != 0 &&
       mpfr_get_ui(exponent, MPFR_RNDN) % 2 == 1) {
     mpfr_set(result, base, MPFR_RNDN);

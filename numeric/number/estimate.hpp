@@ -14,8 +14,8 @@ namespace steadyslide::numeric {
 
 enum class Convergence { reached, stalled };
 
-/// The value, an estimate (not a bound) of its absolute error, and whether the method reached its tolerance. A plain
-/// number beside an estimate is exact.
+/// The value, an estimate (not a bound) of its absolute error, and the convergence of the method. In an operation with
+/// an estimate, a plain number is exact.
 template <Real R>
 struct Estimate {
   R value = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// The power of a distance, ready for evaluation.
+// The power of a distance, prepared for evaluation.
 
 #include "numeric/number/real.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-// Products of powers at many points at once, in double:
+// Products of powers at many points in one call, in double:
 //
 //   prod_j d_j^{p_j} = 2^S,   S = sum_j p_j log2 d_j,   |p_j| <= 1,   2^-1022 <= d_j < infinity,
 //

@@ -114,14 +114,14 @@ class PowerProductKernel {
   }
 
   static void carry(Sum& sum) {
-    const Real shift = all(0x1.8p20);  // next to it numbers are multiples of 2^-32
+    const Real shift = all(0x1.8p20);  // numbers near it are multiples of 2^-32
     const Real carried = (sum.low + shift) - shift;
     sum.high += carried;
     sum.low -= carried;
   }
 
   static Real power_of_two(const Sum& sum) {
-    const Real shift = all(0x1.8p52);  // next to it numbers are integers
+    const Real shift = all(0x1.8p52);  // numbers near it are integers
     Real exponent = sum.high + sum.low;
     exponent = exponent < all(-2200) ? all(-2200) : exponent;
     exponent = exponent > all(2200) ? all(2200) : exponent;

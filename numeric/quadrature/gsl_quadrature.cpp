@@ -67,7 +67,7 @@ Estimate<double> weighted_panel(const PanelDensity<double>& density, const Kerne
 }
 
 Estimate<double> own_panel(const PanelDensity<double>& density, const Node<double>& at) {
-  const double radius = std::min(at.from_left, at.from_right) / 2;  // makes one of the two middle parts empty
+  const double radius = std::min(at.from_left, at.from_right) / 2;  // so one of the two middle parts is empty
   const Panel<double>& panel = density.panel;
   Estimate<double> sum = qawc(radius, [&](double y) { return density(at.moved(y)); });
   // The parts left of x - radius and right of x + radius: half of each is measured from x, the other half from the end.

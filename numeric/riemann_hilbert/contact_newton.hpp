@@ -2,8 +2,8 @@
 // Newton's method for the contact set. The unknowns are its free ends e_f, the polynomial q and the tilt. The
 // conditions are
 //
-//   u'/(c Y) = m_0/z + m_1/z^2 + ... + q/pi has m_j = 0 for j < S and the load P/pi as the coefficient that belongs to
-//   1/z of u'/c; over every gap the height of the profile closes; the centre of pressure is at load_at.
+//   u'/(c Y) = m_0/z + m_1/z^2 + ... + q/pi has m_j = 0 for j < S, and P/pi is the coefficient of 1/z in u'/c;
+//   over every gap the height of the profile closes; the centre of pressure is at load_at.
 //
 // The Jacobian needs no difference and no derivative of an integral: every neighbouring solution differs from the
 // current one by Y (sum_f rho_f/(z - e_f) + r(z)), rho_f = p_f B(e_f) de_f, deg r < -S-1, and by a multiple of 1 - Y

@@ -124,7 +124,7 @@ class ContactQuadrature {
     std::size_t asked = 0;
     GradedSum<R> sum;
   };
-  mutable std::map<std::tuple<std::size_t, std::size_t, Side>, GradedSegment> graded_;  ///< by slope, segment, end
+  mutable std::map<std::tuple<std::size_t, std::size_t, Side>, GradedSegment> graded_;  ///< by slope, segment and end
   // With pivots: the data of the last place, because consecutive places are usually neighbours.
   mutable std::size_t last_component_ = 0;
   mutable std::size_t last_slope_ = 0;

@@ -148,7 +148,7 @@ class NodeLine {
   std::vector<hierarchical::Source> sources_;
   std::vector<std::vector<double>> weights_;
   std::vector<Leaf> leaves_;
-  std::vector<std::size_t> first_leaf_;  ///< of each segment, and one more
+  std::vector<std::size_t> first_leaf_;  ///< for each segment, and one more entry
   double largest_slope_ = 0;
   double largest_place_ = 0;
 };

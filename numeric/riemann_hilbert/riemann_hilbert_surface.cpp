@@ -13,7 +13,7 @@
 
 namespace steadyslide::numeric {
 
-// At places of the surface.
+// Values at places of the surface.
 
 template <Real R>
 R RiemannHilbertSolution<R>::shear_ratio(std::size_t segment) const {
@@ -335,7 +335,7 @@ template <Real R>
 LinePlace<R> RiemannHilbertSolution<R>::line_place(const SurfacePoint<R>& at, std::optional<std::size_t> point) const {
   const ContactSet<R>& set = contact_set();
   LinePlace<R> place{0, infinity<R>(), infinity<R>()};
-  std::size_t end = 0;  // of the last segment in contact on the left
+  std::size_t end = 0;  // the end of the last segment in contact on the left
   for (const std::size_t k : set.contact_segments()) {
     const auto segment = static_cast<std::ptrdiff_t>(k);
     if (point ? k < *point : segment < at.segment) {

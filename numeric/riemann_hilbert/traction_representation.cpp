@@ -171,7 +171,7 @@ R TractionRepresentation<R>::error_of_state(const SurfacePoint<R>& at, const Sta
     if (d > sqrt(epsilon<R>()) * abs(distances[i])) return d;
     return set().sum_of_lengths(std::min(i, j), std::max(i, j), R(0));
   };
-  // f - e|^order. For a component's own pivot f = e, the term is (x - e)^order/(x - e), which has no pole for order 1.
+  // |f - e|^order. For a component's own pivot f = e, the term is (x - e)^order/(x - e), which has no pole for order 1.
   const auto pivot_factor = [&](std::size_t f, std::size_t component, bool is_pivot) {
     const auto& [pivot, order] = pivots[component];
     if (order == 0) return R(1);

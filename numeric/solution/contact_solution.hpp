@@ -3,7 +3,7 @@
 // x.
 //
 // Signs: traction t <= 0; shear is the tangential traction's component along +x; gap = psi - u - C >= 0; slope = u'.
-// Intensities theta >= 0 where t <= 0 demands it: t = -theta d^lambda at ends, t = constant - theta |x-c|^beta cos(pi
+// Intensities: theta >= 0 where t <= 0 requires it. t = -theta d^lambda at ends, t = constant - theta |x-c|^beta cos(pi
 // alpha) at friction jumps.
 //
 // u is 0 at x = 0, or at the support's left end if x = 0 lies outside the support. T is the load up to a place:

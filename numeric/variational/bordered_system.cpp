@@ -296,7 +296,7 @@ class Krylov : public BorderedSystem {
   std::vector<Eigen::JacobiRotation<double>> rotations_;
   Vector rest_;
   bool coupled_ = false;
-  int products_ = 0;  // since the last solution
+  int products_ = 0;  // number of products since the last solution
 };
 
 }  // namespace

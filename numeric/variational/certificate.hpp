@@ -11,9 +11,9 @@ struct Certificate {
   double equation = 0;  ///< the largest |g| on the cells with p > 0
   double penetration = 0;
   double tension = 0;
-  double load = 0;     ///< |sum p h - 1|
-  double moment = 0;   ///< |sum p h xi - xi_load|, 0 without load_at
-  double product = 0;  ///< largest difference of B p by the operator and by row sums of its entries; part of natural
+  double load = 0;       ///< |sum p h - 1|
+  double moment = 0;     ///< |sum p h xi - xi_load|, 0 without load_at
+  double product = 0;    ///< largest difference of B p by the operator and by row sums of its entries; part of natural
   std::size_t rows = 0;  ///< rows summed: all for a small mesh, otherwise those at the ends of contact and some others
   double allowed = 0;    ///< the limit for all of the above: 1e-10, larger if the profile is high
 

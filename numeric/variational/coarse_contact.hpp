@@ -24,7 +24,7 @@ struct CoarseContact {
   Rational origin;
   std::vector<ContactInterval> zones;  ///< left to right
   double tilt = 0;                     ///< slope added to psi/c; 0 without load_at
-  std::vector<double> cell_edges;      ///< of the last mesh
+  std::vector<double> cell_edges;      ///< edges of the last mesh
   std::vector<double> traction;        ///< one per cell
   bool converged = true;               ///< false: the active sets cycled; the best one is given
 };
@@ -44,7 +44,8 @@ namespace coarse {
 // oscillate and lose contact under strong friction (s > 2, say), as the trapezoidal rule does for a stiff equation. For
 // s -> +-infinity this point gives the implicit Euler rule.
 
-/// The support between two neighbouring cuts: jumps of friction and breaks of the profile. Lengths from the origin.
+/// The part of the support between two neighbouring friction jumps or breaks of the profile. Lengths are measured from
+/// the origin.
 struct SupportPiece {
   double left;
   double right;

@@ -1,5 +1,5 @@
 #pragma once
-// The discrete contact problem by complementary pivots, for contacts on which active sets cycle.
+// Solves the discrete contact problem by complementary pivots. For contacts on which active sets cycle.
 //
 // Unknown forces q_i = p_i h_i >= 0 and gaps g_i >= 0 with q_i g_i = 0. No entry of B is negative and no diagonal entry
 // is zero. So q.Bq > 0 for every q >= 0 except 0, for any friction (B is strictly copositive).

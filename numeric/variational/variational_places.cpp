@@ -87,7 +87,7 @@ void VariationalSolution::find_places() {
       if (beta.sign() != 0) {
         place.exponent = beta;
       } else if (!wedge) {
-        place.exponent = Exponent(0);  // nothing blows up or vanishes; the polynomial changes
+        place.exponent = Exponent(0);  // the traction neither blows up nor vanishes; the polynomial changes
       }
       const bool repeated = !places_.back().is_end() && places_.back().x == x;
       // Keep the last break of places that double cannot distinguish.

@@ -9,7 +9,7 @@
 // beta = alpha(c-) - alpha(c+), pi alpha = arctan(s), s = problem.coupled_friction. The user's units and the user's x.
 // A parabola psi = A x^2 + B x + C has R = c/(2A), c the compliance; with r = x + B/(2A), its contact ends solve
 //   sum p_j r_j = 0,   sum p_j r_j^2 = 2 load R / pi.
-// Not thread-safe, as CLN is not.
+// Not thread-safe, because CLN is not.
 
 #include <cstddef>
 #include <memory>
@@ -35,7 +35,7 @@ class ClnClosedForm {
 
   Decimal left() const;
   Decimal right() const;
-  /// The friction jumps strictly inside the contact are those with first_jump() <= index < last_jump().
+  /// The friction jumps strictly inside the contact have first_jump() <= index < last_jump().
   std::size_t first_jump() const;
   std::size_t last_jump() const;
   /// t(x) <= 0 strictly inside the contact, 0 outside of it. Throws std::domain_error if x is an edge or a friction

@@ -3,7 +3,7 @@
 //
 //   t(x) = cos(pi alpha(x)) prod_j |x - e_j|^{p_j} N(x),   e_j: the contact's ends and the friction jumps inside it,
 //
-// with a polynomial N. For sources of this layer only. Not thread-safe, as CLN is not.
+// with a polynomial N. For sources of this layer only. Not thread-safe, because CLN is not.
 
 #include <string>
 #include <vector>
@@ -24,11 +24,11 @@ struct ClnContact {
     bool is_datum;
   };
 
-  std::string name;  ///< of the traction, in messages
+  std::string name;  ///< name of the traction in messages
   ContactProblem problem;
   int digits;  ///< served
   cln::float_format_t format;
-  Rational origin;         ///< of the lengths in N
+  Rational origin;         ///< origin of the lengths in N
   std::size_t first_jump;  ///< inside the contact are the jumps first_jump <= index < last_jump
   std::size_t last_jump;
   std::vector<Place> places = {};      ///< left end, jumps inside, right end

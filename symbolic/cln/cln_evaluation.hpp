@@ -16,7 +16,7 @@ Decimal cln_value(const Exponent& exponent, int digits);
 /// in plane stress. Throws std::domain_error unless -1 < nu < 1/2.
 Decimal cln_gamma(const Rational& nu, Plane plane, int digits);
 
-/// alpha = arctan(gamma f)/pi. [Bal16, (4)]
+/// Returns alpha = arctan(gamma f)/pi. [Bal16, (4)]
 Decimal cln_alpha(const Rational& nu, const Rational& friction, Plane plane, int digits);
 
 /// Returns cos(pi alpha), where tan(pi alpha) = s.

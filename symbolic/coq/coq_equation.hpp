@@ -22,7 +22,7 @@ class CoqEquation {
 
   std::string lhs() const { return text(lhs_); }
   std::string rhs() const { return text(rhs_); }
-  /// lhs - rhs, expanded and not reduced.
+  /// Returns lhs - rhs, expanded and not reduced.
   Polynomial difference() const { return polynomial(lhs_) - polynomial(rhs_); }
 
   /// Returns the names of the generators: symbols and roots in alphabetical order, then inverses.

@@ -36,7 +36,7 @@ struct Derivation {
   }
 };
 
-/// Numbered steps, wrapped at 100 columns.
+/// Returns numbered steps, wrapped at 100 columns.
 std::string to_text(const Derivation& derivation);
 /// Returns a section of a LaTeX document; it needs only LaTeX and amsmath.
 std::string to_latex(const Derivation& derivation);

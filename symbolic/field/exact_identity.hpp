@@ -10,7 +10,7 @@ namespace steadyslide::symbolic {
 
 struct WrittenIdentity;  // written_identity.hpp
 
-/// lhs = rhs in the exact field.
+/// An equation lhs = rhs in the exact field.
 struct ExactIdentity {
   std::string statement;  ///< the meaning of both sides, in words and formulas
   std::string lhs;        ///< both sides in lowest terms: equal functions have equal texts

@@ -129,7 +129,7 @@ ex PhaseField::phase(const AngleForm& form, int times) const {
   if (quarter_turns % 2 == 1) result *= i_;
   if (quarter_turns >= 2) result *= -1;
   for (const auto& [k, factor] : form.times()) {
-    // exp(-i pi alpha) = conj(exp(i pi alpha)), so that no divisor but r appears.
+    // exp(-i pi alpha) = conj(exp(i pi alpha)), so r is the only divisor.
     const Friction& f = friction(k);
     const int power = factor * times;
     result *= GiNaC::pow(f.cos + (power < 0 ? -i_ : ex(i_)) * f.sin, std::abs(power));

@@ -4,9 +4,9 @@
 //   Q(free symbols)(i, r_1, r_2, ...),   r_k^2 = 1 + s_k^2,   cos(pi alpha_k) = 1/r_k,   sin(pi alpha_k) = s_k/r_k,
 //
 // for frictions s_k = tan(pi alpha_k) that are symbols or rational numbers. Radicals of symbols are independent:
-// 1 + s^2 = (s+i)(s-i) has no square factor. Radicals of numbers need not be (s = 3/4 has r = 5/4; s = 1 and s = 7 have
-// r = sqrt 2 and 5 sqrt 2): they are written in square roots of pairwise coprime integers that are no squares, and
-// those are independent over Q(i) of each other. So an element is zero if and only if all its coefficients are.
+// 1 + s^2 = (s+i)(s-i) has no square factor. Radicals of numbers may be dependent (s = 3/4 has r = 5/4; s = 1 and s = 7
+// have r = sqrt 2 and 5 sqrt 2). So they are written in terms of square roots of pairwise coprime integers that are not
+// squares, which are independent over Q(i). Therefore an element is zero if and only if all its coefficients are zero.
 
 #include <ginac/ginac.h>
 
@@ -38,7 +38,7 @@ class PhaseField {
   /// The imaginary unit, as a symbol. GiNaC::I in an expression has the same meaning.
   const GiNaC::symbol& i() const { return i_; }
 
-  /// exp(i pi times form)
+  /// Returns exp(i pi times form).
   GiNaC::ex phase(const AngleForm& form, int times = 1) const;
 
   struct Decision {
@@ -58,7 +58,7 @@ class PhaseField {
   /// Returns a text. Equal elements have equal texts, in every run.
   std::string text(const GiNaC::ex& expression) const;
 
-  /// The symbols that are not free, with their squares: i, then the radicals. For printers and evaluators.
+  /// A symbol that is not free, with its square: i, or a radical. For printers and evaluators.
   struct Radical {
     GiNaC::symbol root;
     GiNaC::ex square;

@@ -11,7 +11,7 @@ namespace steadyslide::symbolic {
 /// superscript: Phi+ gives \Phi^+. A name of several letters that is not in the notation is set upright.
 std::string latex_of_plain(std::string_view formula);
 
-/// The sentence without its backticks.
+/// Returns the sentence without its backticks.
 std::string without_marks(std::string_view sentence);
 
 /// Returns the sentence with `formula` as $latex$ and all other text escaped.

@@ -22,7 +22,7 @@ ex numerator_of(const ex& expression) { return expression.numer_denom().op(0).ex
 void require_no_zero_divisor(const ex& expression) {
   std::vector<ex> divisors;
   collect_divisors(expression, divisors);
-  // Inner divisors come after the outer ones that contain them.
+  // Inner divisors come after the outer divisors that contain them.
   for (auto divisor = divisors.rbegin(); divisor != divisors.rend(); ++divisor) {
     if (numerator_of(*divisor).is_zero()) throw std::domain_error("rational function: division by zero");
   }

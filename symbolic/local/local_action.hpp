@@ -9,7 +9,7 @@
 // multiplication by x up to a constant, so nothing here depends on the order n of x^n.
 //
 // Trigonometric values are algebraic: C = cot(pi lambda) and S = 1/sin(pi lambda), S^2 = 1 + C^2. For sources of this
-// layer, proofs_checks and tests only. Not thread-safe, as GiNaC is not.
+// layer, proofs_checks and tests only. Not thread-safe, because GiNaC is not.
 
 #include <ginac/ginac.h>
 
@@ -34,7 +34,7 @@ using LocalDensity = std::map<LocalMonomial, GiNaC::ex>;
 
 LocalDensity& operator+=(LocalDensity& a, const LocalDensity& b);
 
-/// cot(pi lambda), 1/sin(pi lambda) and pi as elements of the field in which one computes.
+/// cot(pi lambda), 1/sin(pi lambda) and pi as elements of the field of the computation.
 struct LocalConstants {
   GiNaC::ex cot;
   GiNaC::ex cosecant;

@@ -1,6 +1,6 @@
 #pragma once
 // Numbers for the local action of the operator: the formulas of local_action.hpp for one density that is cut off at
-// x| = 1, with the far part. This header does not include GiNaC. Not thread-safe, because GiNaC is not.
+// |x| = 1, with the far part. This header does not include GiNaC. Not thread-safe, because GiNaC is not.
 
 #include <optional>
 

@@ -9,7 +9,7 @@
 namespace steadyslide::symbolic {
 namespace {
 
-/// The first three Taylor coefficients of psi_bar' at x.
+/// Returns the first three Taylor coefficients of psi_bar' at x.
 std::vector<GiNaC::ex> slopes_at(const ContactProblem& problem, const Rational& x, Side side) {
   Polynomial derivative = problem.indenter().profile(x, side).derivative();
   std::vector<GiNaC::ex> slopes;
@@ -22,7 +22,7 @@ std::vector<GiNaC::ex> slopes_at(const ContactProblem& problem, const Rational& 
   return slopes;
 }
 
-/// +-gamma f, with the sign of the direction of sliding.
+/// Returns +-gamma f, with the sign of the direction of sliding.
 GiNaC::ex coupled(const ContactProblem& problem, const Rational& friction) {
   const Rational s = problem.elasticity().gamma() * friction;
   return to_expression(problem.sliding() == Sliding::plus_x ? s : Rational(-s));

@@ -18,7 +18,7 @@ struct System {
   FieldRow rhs;
 };
 
-/// The local equations of a density that is linear in the unknowns.
+/// Returns the local equations of a density that is linear in the unknowns.
 System system_of(const LocalPlace& place, const LocalConstants& constants, const LocalDensity& density,
                  const std::vector<symbol>& unknowns) {
   GiNaC::exmap zero;
@@ -34,12 +34,12 @@ System system_of(const LocalPlace& place, const LocalConstants& constants, const
   return system;
 }
 
-/// Two formulas of a display, one below the other.
+/// Returns two formulas, one below the other.
 std::string gathered(const std::string& first, const std::string& second) {
   return "\\begin{gathered} " + first + " \\\\ " + second + " \\end{gathered}";
 }
 
-/// The same place with one order of the slopes, whose jump is D.
+/// Returns the same place with one order of the slopes, whose jump is D.
 LocalPlace with_jump(const LocalPlace& place, const ex& jump) {
   LocalPlace result = place;
   result.left.slopes = {0};

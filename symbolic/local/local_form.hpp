@@ -31,7 +31,7 @@ struct LocalFormTerm {
   GiNaC::ex left;
   GiNaC::ex right;
   bool forced;   ///< true: the indenter's slopes give it; false: an amplitude that the whole problem gives
-  Formula text;  ///< two sides: in x; one side: in the distance d
+  Formula text;  ///< for two sides in x; for one side in the distance d
 };
 
 /// A condition that the signs impose on data or amplitudes. `holds` is known if the expression is a number.
@@ -52,7 +52,7 @@ struct OutsideSlope {
 
 struct LocalForm {
   LocalPlace place;
-  LocalFrame frame;  ///< the field of all expressions below: its radicals and its pi are its own
+  LocalFrame frame;  ///< the field of all expressions below, with its own radicals and pi
   LocalKind kind;
   std::optional<AngleForm> exponent;  ///< the leading power that is not an integer, if there is one
   std::optional<GiNaC::ex> ratio;     ///< of its amplitudes, left : right, if both sides are in contact

@@ -39,7 +39,7 @@ void add(LocalForm& form, const std::string& words, const ex& expression, Sign s
 
 const Formula theta{"theta", "\\theta"};
 
-/// psi_bar'(c+) - psi_bar'(c-) at the order n.
+/// Returns psi_bar'(c+) - psi_bar'(c-) at the order n.
 ex slope_jump(const LocalForm& form, std::size_t n) { return form.place.right.slopes[n] - form.place.left.slopes[n]; }
 
 Formula slope_jump_text(const LocalForm& form, const LocalFrame& frame, std::size_t n) {

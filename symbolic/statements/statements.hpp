@@ -19,8 +19,9 @@ std::vector<DecidedStatement> elasticity_statements();
 std::vector<DecidedStatement> equation_statements();
 
 /// Theorem 2 with a friction jump, with a wedge and a jump, with a wedge alone; theorem 3 at either end of contact, at
-/// a step and free, with the slopes outside; theorem 9, and to all three orders; theorem 10 as theorem 3 under one
-/// friction. Each form is substituted into the local equation: both sides of an identity list its coefficients.
+/// a step and free, with the slopes outside; theorem 9, and theorem 9 to all three orders; theorem 10 as theorem 3
+/// under one friction. Each form is substituted into the local equation: both sides of an identity list its
+/// coefficients.
 std::vector<DecidedStatement> local_form_statements();
 
 /// The relation between Phi+ and Phi-, the exponents, their integer sum, Y+ = G Y-, the general solution, the number of

@@ -329,7 +329,7 @@ std::vector<DecidedStatement> read_statements(std::string_view text, const Writt
 std::vector<DecidedStatement> written_statements(std::string_view text,
                                                  const std::vector<DecidedStatement>& decided_elsewhere,
                                                  const WrittenFunctions& more) {
-  StatementPlace place;  // of what is read or decided
+  StatementPlace place;  // the place that is read or decided
   try {
     return read_statements(text, more, decided_elsewhere, place);
   } catch (const UnreadableStatement& error) {
