@@ -2,7 +2,7 @@
 // The solution of A t = g + tilt on a contact set, with the load P as the leading coefficient of q
 // (docs/traction-representation.md):
 //
-//   u'/c = g_k + tilt - Y B_k off the contact,   t = eps cos(pi alpha) |Y| B_k on it,
+//   u'/c = g_k + tilt - Y B_k outside the contact,   t = eps cos(pi alpha) |Y| B_k on it,
 //   B_k(x) = [(g_k + tilt)/Y]_poly - q(x)/pi - (1/pi) int_K eps cos(pi alpha) (g - g_k)/|Y| dx'/(x'-x),
 //
 // which is the same function for every polynomial g_k. B_k is used only outside the pieces of contact with another

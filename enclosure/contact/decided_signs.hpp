@@ -2,10 +2,10 @@
 // Decides if a zero of the conditions is a solution: t <= 0 on the contact and a gap >= 0 outside, for every place and
 // for all values of the unknowns in a box.
 //
-//   on a segment in contact      eps B_k < 0 on the closed segment: t = eps cos(pi alpha) |Y| B_k. At its points this is the
-//                                sign of the leading terms: of a power's amplitude, of D/[s], of a wedge's logarithm;
-//   off the contact              gap' = psi' - u' = Y B_k; the gap is > 0 where it grows from the contact's end on, and
-//                                elsewhere if a lower bound of its integral, from the contact on either side, is.
+//   on a segment in contact      eps B_k < 0 on the closed segment: t = eps cos(pi alpha) |Y| B_k. At its points this is
+//                                the sign of the leading terms: of a power's amplitude, of D/[s], of a wedge's logarithm;
+//   outside the contact          gap' = psi' - u' = Y B_k. The gap is > 0 where it only grows from the end of contact.
+//                                Elsewhere it is > 0 if a lower bound of its integral, from either end of contact, is > 0.
 //
 // B_k = R + C E(d) next to a point, d the distance from it (traction_representation.hpp): on [0, d_1] by the range of
 // E, which may be unbounded, and outwards on intervals in geometric proportion, because E changes with log d.

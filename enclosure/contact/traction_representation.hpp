@@ -2,7 +2,7 @@
 // The solution of A t = g + tilt on a contact set, enclosed for all values of its unknowns in a box: free ends, the
 // polynomial q and the tilt. With the polynomial g_k of the slope on one piece (docs/traction-representation.md),
 //
-//   u'/c = g_k + tilt - Y B_k off the contact,   t = eps cos(pi alpha) |Y| B_k on it,
+//   u'/c = g_k + tilt - Y B_k outside the contact,   t = eps cos(pi alpha) |Y| B_k on it,
 //   B_k(x) = [(g_k + tilt)/Y]_poly - q(x)/pi - (1/pi) int_K eps cos(pi alpha) (g - g_k)/|Y| dx'/(x'-x)
 //
 // [Bal16, theorem 36, reconstructed]. The integral is over other pieces than the one of the place x, but it may end at

@@ -2,7 +2,7 @@
 // Closed forms on one contact component [e_0, e_n], for profiles that need no integrals. With Y of
 // fundamental_solution.hpp and a constant N,
 //
-//   u'/c = psi'/c - N Y off the contact,   t = -|N| cos(pi alpha) |Y| on it.
+//   u'/c = psi'/c - N Y outside the contact,   t = -|N| cos(pi alpha) |Y| on it.
 //
 //   flat punch: the whole support in contact, edges at both ends, N = -P/pi. [Bal16, (4), (5)-(7)]
 //   parabola:   free ends, N = 1/R. Contains Galin's parabola [Bal16, section 2].

@@ -5,7 +5,7 @@
 //
 //   end: edge, step, free end     t ~ -theta d^p                                       theta > 0
 //   jump, no wedge                t ~ -theta cos(pi alpha) d^beta                      theta > 0
-//   wedge and jump, beta < 0      t ~ D/[s] - theta cos(pi alpha) d^beta               theta > 0, whatever D is
+//   wedge and jump, beta < 0      t ~ D/[s] - theta cos(pi alpha) d^beta               theta > 0, for any D
 //   wedge and jump, beta > 0      the same, but the constant leads                     D/[s] < 0
 //   wedge, no jump                t ~ D/(1+s^2) log(d)/pi                              D > 0
 //   curvature alone, no jump      t(c)                                                 t(c) < 0

@@ -2,7 +2,7 @@
 // The solution of A t = g + tilt on a given contact set K, the profile's slope g a polynomial g_k on each piece,
 // derived in docs/traction-representation.md:
 //
-//   u'/c = g_k + tilt - Y B_k off the contact,   t = eps cos(pi alpha) |Y| B_k on it,
+//   u'/c = g_k + tilt - Y B_k outside the contact,   t = eps cos(pi alpha) |Y| B_k on it,
 //   B_k(x) = [(g_k + tilt)/Y]_poly - q(x)/pi - (1/pi) int_K eps cos(pi alpha) (g - g_k)/|Y| dx'/(x'-x),
 //
 // which is the same function for every k. With k from the piece at x there is no principal value. [Bal16, theorem 36,

@@ -5,8 +5,8 @@
 //
 // without friction. No other file of this folder uses a formula for k. The folder assumes only these properties:
 //
-//   - It depends on x - x' only and is even. So equal cells have a Toeplitz matrix, and its transform is the symbol of the
-//     preconditioner.
+//   - It depends on x - x' only and is even. So equal cells have a Toeplitz matrix, and its transform is the symbol of
+//     the preconditioner.
 //   - It is not negative for |x| <= 1, so no entry of the operator on a support of length 1 is negative (lemke.hpp).
 //   - Far from 0 it is smooth, so a few points are sufficient between zones (surface_inverse.hpp).
 

@@ -6,8 +6,9 @@
 //   field s_l, s_r                    frictions: r(s), cos(s), sin(s), angle(s) and phase(form) then have a meaning
 //   let a = EXPR, f(x) = EXPR         names
 //   for e = 1, -1, 3..7               the lines up to `end` for each value
-//   equal NAME :: LHS = RHS           an equation in the field of phases; without NAME :: one between rational functions
-//   wrong WORDS :: a = EXPR, ...      a variant: other values of names that `let` gives; in EXPR all names have their right values
+//   equal NAME :: LHS = RHS           an equation in the field of phases; without NAME :: of rational functions
+//   wrong WORDS :: a = EXPR, ...      a variant: other values of names that `let` gives; in EXPR all names have their
+//                                     right values
 //
 // A line with deeper indentation continues the line before it. A statement without lines is decided in C++. Other lines
 // without indentation:
@@ -15,8 +16,8 @@
 //   file equation.txt                 the name of the file that follows; build files write this line
 //   symbols x, e_*                    in the rest of the file x and e_0, e_1, ... are symbols; other names are errors
 //   definitions                       the lines below it are added to each later statement, up to the next
-//                                     `definitions`: lines from the first `equal` or `for` on go after the statement, the
-//                                     others before it
+//                                     `definitions`: lines from the first `equal` or `for` on go after the statement,
+//                                     the others before it
 //
 // Lists: [a, 0..3] and [f(j) | j = 0..3]; the first entry of p is p[0]. e_{j} is the name e_2 if j = 2, and {j} in the
 // name of an equation is replaced by its value. `i` is the imaginary unit, `edge` and `free` are 0 and 1,
