@@ -41,8 +41,9 @@ struct FullContactFrom {
   std::optional<Rational> proved;  ///< at this load it has no tension; absent if it has at all loads, or undecided
 };
 
-/// Returns two such loads between `from` and `to`, with a distance of at most `width` times the load if the loads can
-/// be decided. Absent if full contact is not refuted at `from`.
+/// Returns two such loads between `from` and `to`, with a distance of at most `width` times the load. Neither of them
+/// is `from` or `to`. Both hold only as far as the loads can be decided. Absent if full contact is not refuted at
+/// `from`.
 std::optional<FullContactFrom> full_contact_from(const ReducedProblem& problem, const ContactBox& full,
                                                  const Rational& from, const Rational& to, const Rational& width,
                                                  JacobiRules& rules, WorkBudget& work);

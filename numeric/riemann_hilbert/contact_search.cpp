@@ -146,7 +146,7 @@ class Search {
     const Side towards = left_moves ? Side::right : Side::left;
     if (set.is_over_notch(k)) {
       const std::size_t begin = left_moves ? k : k - 1;
-      // Both halves have the smallest length. There is no gap, or a shorter one that cannot be found.
+      // If both halves are about as short as the shortest gap, there is no gap, or a shorter one that cannot be found.
       if (std::max(set.length(begin), set.length(begin + 1)) > R(1e6) * problem_.shortest_gap())
         return cross(j, towards);
       vanished_.insert(*set.point(begin + 1).anchor);

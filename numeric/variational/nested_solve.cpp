@@ -24,9 +24,9 @@ std::size_t coarse_cell(std::size_t i, std::size_t fine, std::size_t coarse) {
 }
 
 /// Returns the likely contact on a mesh with twice as many cells. Towards a free end the square of the pressure
-/// decreases linearly. The zero of this line lies in or beyond the last cell: between 0 cell lengths, if that cell is
-/// about to be released, and 0.8, if the next one is about to touch. For ends at random places, a third of them lose
-/// one of the smaller cells and a sixth gain one; the limits are set to these shares.
+/// decreases linearly. The distance of the zero of this line from the middle of the last cell is between 0, if that
+/// cell is about to be released, and 0.8 cell lengths, if the next one is about to touch. For ends at random places, a
+/// third of them lose one of the smaller cells and a sixth gain one; the limits are set to these shares.
 CellSet refined_contact(const MeshSolution& coarse, std::size_t cells) {
   const CellSet& contact = coarse.found.contact;
   const std::vector<double>& p = coarse.found.state.pressure;
