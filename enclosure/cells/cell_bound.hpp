@@ -49,7 +49,7 @@ struct CellBound {
 
 /// Proves the bound. `pressures` are -t on equal cells of the whole support, in the user's units. They are scaled so
 /// that their resultant is exactly P. A resultant that differs from P by more than 10^-6 is refused, and so are
-/// pressures that are negative or NaN.
+/// pressures that are negative or not finite.
 CellBound bound_cells(const ContactProblem& problem, std::span<const double> pressures, WorkBudget work);
 /// The same with a budget for many halvings of each cell.
 CellBound bound_cells(const ContactProblem& problem, std::span<const double> pressures);

@@ -49,9 +49,9 @@ class FundamentalSolution {
   /// Returns |Y| at a node of panel k.
   R modulus(std::size_t k, const Node<R>& node) const;
   /// Computes |Y| at many points of panel k, given by their distances from its ends. In double the error is 4 units in
-  /// the last place of what the distances and powers demand (numeric/number/power_product.hpp), plus the rounding of
-  /// the sums of lengths in the distances from other points. For more than 512 panels it computes the points one by
-  /// one, as modulus() does. In higher precision all returned digits are correct.
+  /// the last place for the given distances and powers (numeric/number/power_product.hpp), plus the rounding of the
+  /// sums of lengths in the distances from other points. For more than 512 panels it computes the points one by one, as
+  /// modulus() does. In higher precision all returned digits are correct.
   void moduli(std::size_t k, std::span<const R> from_left, std::span<const R> from_right, std::span<R> values) const;
   /// Returns |Y| at a node of panel k without the powers of the panel's two ends. This is analytic there.
   R smooth_modulus(std::size_t k, const Node<R>& node) const;

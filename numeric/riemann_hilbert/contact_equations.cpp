@@ -290,7 +290,7 @@ void ContactEquations<R>::add_gaps() {
     std::vector<R> beyond;
     for (const std::size_t point : free_) beyond.push_back(point <= j ? from_left[point] : R(-from_right[point]));
     for (const auto& node : rule) {
-      // For a tiny gap, the weight times Y alone may overflow.
+      // Divide Y first: for a tiny gap, the weight times Y may be out of range.
       const R to_left = form_.distance(node.at, j);
       const R to_right = -form_.distance(node.at, end);
       for (std::size_t f = 0; f < free_.size(); ++f) {

@@ -45,8 +45,8 @@ struct NewtonResult {
   StateErrors<R> rounding = {};  ///< errors due to rounding in the equations
 };
 
-/// Solves for the contact set. A segment k that is shorter than `limit[k]` and still shrinks is reported as collapsing.
-/// For half a gap over a notch the limit is RoundedProblem::shortest_gap().
+/// Solves for the contact set. A segment k that is shorter than `limits[k]` and still shrinks is reported as
+/// collapsing. For half a gap over a notch the limit is RoundedProblem::shortest_gap().
 template <Real R>
 NewtonResult<R> solve_newton(const RoundedProblem<R>& problem, ContactState<R> state, const std::vector<R>& limits,
                              JacobiRules<R>& rules);

@@ -17,8 +17,8 @@ struct GapNode {
   R y;         ///< Y, with its sign, of all components
   R to_pivot;  ///< Y_i/Y, where i is the component of the place
 
-  /// Returns weight Y f, for f = B Y_i/Y. Y is the last factor, because for a tiny gap the weight times Y may overflow.
-  /// The rounding error of its powers is proportional to the logarithms of distances.
+  /// Returns weight Y f, for f = B Y_i/Y. It multiplies Y by f first, because for a tiny gap the weight times Y may be
+  /// out of range. The rounding error of its powers is proportional to the logarithms of distances.
   Estimate<R> term(Estimate<R> f) const {
     f *= y;
     return weight * f.widened((8 + abs(log(abs(y)))) * epsilon<R>());

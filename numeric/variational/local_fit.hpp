@@ -96,8 +96,8 @@ struct LocalPlace {
 enum class PlaceIs { exact, to_one_cell };
 
 /// Returns the result of a family of fits: their median, with an error from their spread and from the noise of the
-/// median fit. `deviations` are the standard deviations of the fits. Stalled if more than a third of the values are
-/// NaN.
+/// median fit. `deviations` are the standard deviations of the fits. Stalled if fewer than three values, or fewer than
+/// two thirds of them, are finite.
 Estimate<double> of_family(std::vector<double> values, std::vector<double> deviations = {});
 
 struct FittedExponent {
