@@ -1,5 +1,5 @@
-// A complete answer in high precision beside the bare solution: what `solve` prints, ends, singular points, resultants,
-// error estimates and residuals, all in process.
+// A complete answer in high precision compared with the bare solution: the output of `solve`, ends, singular points,
+// resultants, error estimates and residuals, all in one process.
 
 #include <benchmark/benchmark.h>
 
@@ -42,7 +42,7 @@ void bare(benchmark::State& state, const ContactProblem& problem) {
   for (auto _ : state) benchmark::DoNotOptimize(riemann_hilbert<R>(problem));
 }
 
-/// All that `solve` prints; the residual of the equation.
+/// Computes all that `solve` prints. Returns the residual of the equation.
 template <Real R>
 double ask(const ContactSolution<R>& solution) {
   benchmark::DoNotOptimize(solution.contact());
@@ -59,7 +59,7 @@ void answer(benchmark::State& state, const ContactProblem& problem) {
   state.counters["residual"] = residual;
 }
 
-/// Where a formula is known, that is what `solve` takes.
+/// If there is a closed form, `solve` uses it.
 template <Real R>
 void formula(benchmark::State& state, const ContactProblem& problem) {
   for (auto _ : state) benchmark::DoNotOptimize(ask(*closed_form<R>(problem).solution));

@@ -1,5 +1,5 @@
 #pragma once
-// The peer of integrals with singular ends: Arb's adaptive integrator, acb_calc_integrate.
+// The competitor for integrals with singular ends: Arb's adaptive integrator, acb_calc_integrate.
 
 #include <acb_calc.h>
 
@@ -17,7 +17,7 @@ struct ComplexBall {
   acb_t value;
 };
 
-/// prod |x - e_j|^(p_j) on the stretch between two neighbouring points, by distances from its ends.
+/// prod |x - e_j|^(p_j) on the interval between two neighbouring points, by distances from its ends.
 struct Stretch {
   struct Factor {
     bool on_left;
@@ -30,7 +30,7 @@ struct Stretch {
     for (std::size_t j = 0; j < all.points.size(); ++j) {
       const bool on_left = j <= left;
       const std::size_t end = on_left ? left : left + 1;
-      if (j == end) {  // one power more: the distances' product over the length is dx/dtau
+      if (j == end) {  // one power more, because dx/dtau is the product of the distances over the length
         factors.push_back({on_left, 0, all.powers[j] + 1});
       } else {
         factors.push_back({on_left, enclosure::abs(all.points[end] - all.points[j]), all.powers[j]});
@@ -39,7 +39,8 @@ struct Stretch {
   }
 };
 
-/// Times dx/dtau, x = tanh(tau/2) on the stretch; each power by Arb's own function, holomorphic where that is asked for.
+/// Computes the integrand times dx/dtau, x = tanh(tau/2) on the interval. Arb's own function computes each power, as a
+/// holomorphic function if `order` requires it.
 inline int value_on_stretch(acb_ptr result, const acb_t tau, void* parameters, slong order, slong bits) {
   const Stretch& stretch = *static_cast<const Stretch*>(parameters);
   ComplexBall from_left, from_right, base, exponent, power;
@@ -63,8 +64,8 @@ inline int value_on_stretch(acb_ptr result, const acb_t tau, void* parameters, s
   return 0;
 }
 
-/// The integral between two neighbouring points, to an absolute tolerance of 2^-bits. Cut off where the integrand is below
-/// 2^-bits, which is left out here.
+/// Returns the integral between two neighbouring points, to an absolute tolerance of 2^-bits. Parts in which the
+/// integrand is below 2^-bits are left out.
 inline enclosure::Ball arb_integral(const enclosure::PowerIntegrand& integrand, std::size_t left,
                                     enclosure::Bits bits) {
   Stretch stretch(integrand, left);

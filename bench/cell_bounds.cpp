@@ -1,5 +1,5 @@
-// bench_cell_bounds PROBLEM CELLS...: what is proved of the first load share and of the effective friction from so many
-// cells, as rows of a Markdown table. Exit code 1 where nothing is proved.
+// bench_cell_bounds PROBLEM CELLS...: the proved bounds of the first load share and of the effective friction for each
+// number of cells, as rows of a Markdown table. The exit code is 1 if nothing is proved.
 
 #include <chrono>
 #include <cstdio>

@@ -1,4 +1,4 @@
-// How long a derivation takes, and how that grows with the number of friction jumps.
+// The time of a derivation, and its growth with the number of friction jumps.
 
 #include <benchmark/benchmark.h>
 
@@ -24,7 +24,7 @@ ContactProblem punch(int jumps) {
   return {Elasticity(Solid(Rational(3, 10), 1)), FrictionProfile(values, places), Indenter(-1, {{1, Polynomial()}}), 1};
 }
 
-/// A problem with numbers: its radicals are square roots of integers, which multiply.
+/// A problem with numbers. Its radicals are square roots of integers, and products of radicals occur.
 void problem_closed_form(benchmark::State& state) {
   const ContactProblem problem = punch(static_cast<int>(state.range(0)));
   for (auto _ : state) benchmark::DoNotOptimize(riemann_hilbert_derivations(problem));

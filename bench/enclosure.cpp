@@ -1,5 +1,6 @@
-// Enclosed integrals of the flat-punch type: int_{-1}^{1} prod_j |x - e_j|^(p_j) dx with 0 to 5 friction jumps, beside
-// Arb's own adaptive integrator on the same integral, regularised, and the Gamma functions where there is no jump.
+// Enclosed integrals of the flat-punch type: int_{-1}^{1} prod_j |x - e_j|^(p_j) dx with 0 to 5 friction jumps,
+// compared with Arb's own adaptive integrator on the same integral, regularised, and with Gamma functions if there is
+// no jump.
 
 #include <benchmark/benchmark.h>
 
@@ -79,7 +80,7 @@ int main(int argc, char** argv) {
   add("panels_warm", by(Route::panels, true), 5, {30, 50, 200, 1000});
   add("panels_cold", by(Route::panels, false), 5, {30, 50, 200, 1000});
   add("witness", by(Route::trapezoidal, false), 5, {30, 50, 200, 1000});
-  // It takes minutes at 200 digits and hours at 1000.
+  // Arb's integrator takes minutes at 200 digits and hours at 1000.
   add("arb_integrator", arb_integrator, 5, {30, 50, 200});
   add("gamma_functions", gamma_functions, 0, {30, 50, 200, 1000});
   benchmark::Initialize(&argc, argv);

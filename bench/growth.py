@@ -34,14 +34,15 @@ def signed(number):
 
 
 def pieces(n, profile):
-    """Of equal length over [-1, 1]. Exact fractions: rounded ones would have steps between the pieces."""
+    """Returns pieces of equal length over [-1, 1], as exact fractions. Rounded ones would have steps between the pieces."""
     places = [Fraction(2 * i, n) - 1 for i in range(n + 1)]
     rows = [f'{{to = "{b}", profile = "{profile(a, b)}"}}' for a, b in zip(places, places[1:])]
     return "[indenter]\npieces = [\n " + ",\n ".join(rows) + "]\n"
 
 
 def trace(n):
-    """x, height: waves of random phases whose heights fall with the power 1.3 of their numbers, up to three points a wave."""
+    """Returns lines "x,height" of waves with random phases. Their heights decrease with the power 1.3 of their numbers, and
+    each wave has at least three points."""
     rng = random.Random(1)
     waves = [(math.pi * k, rng.gauss(0, 1) * 0.05 * k**-1.3, rng.random() * 2 * math.pi) for k in range(4, n // 3)]
     places = [2 * i / n - 1 for i in range(n + 1)]
@@ -62,7 +63,7 @@ def problem(kind, n):
     if kind == "pieces":
         return 'load = "0.3"\n' + BODY + one_friction + pieces(
             n, lambda a, b: f"{(a + b) / 2}*x{signed(-a * b / 2)}")
-    # Of bumps 2/n wide and x^2 n/2 high some six tenths of the support are in contact, and every bump's tip is.
+    # The bumps are 2/n wide and x^2 n/2 high. About six tenths of the support are in contact, and the tip of every bump is.
     return 'load = "0.5"\n' + BODY + one_friction + pieces(
         n, lambda a, b: f"{Fraction(n, 2)}*x^2{signed(-n * (a + b) / 2)}*x+{n * ((a + b) / 2) ** 2 / 2}")
 
@@ -78,7 +79,7 @@ def options(kind, n):
 
 
 def run(program, path, arguments):
-    """What it prints, and its user time."""
+    """Returns the program's output and its user time."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
     done = subprocess.run([program, "solve", path, *arguments], check=True, capture_output=True, text=True)
     return done.stdout, resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
@@ -96,7 +97,7 @@ def measure(program, kind, n, more=()):
 
 
 def exponent(times):
-    """Of (octave, seconds), over the upper three octaves."""
+    """Returns the exponent fitted to pairs (octave, seconds), over the upper three octaves."""
     upper = times[-4:]
     mean = sum(o for o, _ in upper) / len(upper)
     return sum((o - mean) * math.log2(t) for o, t in upper) / sum((o - mean) ** 2 for o, _ in upper)

@@ -1,5 +1,6 @@
-// Stresses below the surface at 10^5 points, one core: a closed form, the Riemann-Hilbert method and cells, beside the floor,
-// the forces at the nodes of all panels of the closed form's traction summed one by one; and a mesh's nodal forces.
+// Stresses below the surface at 10^5 points on one core: a closed form, the Riemann-Hilbert method and cells, compared
+// with a direct sum over the forces at the nodes of all panels of the closed form's traction; and the nodal forces of a
+// mesh.
 
 #include <benchmark/benchmark.h>
 
@@ -19,7 +20,7 @@ namespace {
 constexpr std::size_t points = 100'000;
 using Solution = std::shared_ptr<const ContactSolution<double>>;
 
-/// A parabola over a friction jump.
+/// Returns a parabola over a friction jump.
 ContactProblem problem() {
   return {Elasticity(Solid(Rational(3, 10), 1)), FrictionProfile({Rational(1, 10), Rational(3, 5)}, {Rational(1, 10)}),
           Indenter(-2, {{2, Polynomial({0, 0, 1})}}), 1};
@@ -29,7 +30,7 @@ Solution by_formula() { return closed_form<double>(problem()).solution; }
 Solution by_form() { return riemann_hilbert<double>(problem()).solution; }
 Solution by_cells() { return variational_inequality(problem()).solution; }
 
-/// Below the contact and beside it, a grid of equal steps along x and of depths from `least` to 1.
+/// A grid below the contact and beside it: equal steps along x, and depths from `least` to 1.
 struct Grid {
   explicit Grid(double least) {
     constexpr std::size_t across = 400;

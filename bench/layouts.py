@@ -33,7 +33,7 @@ class Times:
 
 
 def short(number, digits=2):
-    """With two or three digits, and no more."""
+    """Returns the number with two or three digits."""
     if number == 0:
         return "0"
     text = f"{number:.{digits}g}"
@@ -149,7 +149,7 @@ def enclosure(t):
     return (table(["digits", "jumps", "warm", "cold", "witness", "Arb's integrator", "Arb / cold"], rows),)
 
 
-# Name: the layout, the arguments of bench_NAME, and those of a quick run.
+# For each name: the layout, the arguments of bench_NAME, and the arguments of a quick run.
 LAYOUTS = {
     "traction": (traction, ["--benchmark_repetitions=3", "--benchmark_report_aggregates_only=true"], []),
     "precision": (precision, ["--benchmark_repetitions=5", "--benchmark_report_aggregates_only=true"],

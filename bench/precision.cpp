@@ -1,8 +1,9 @@
-// High precision: which 50-digit number, which logarithm, and which rule for the integral of one panel of a flat punch,
+// High precision: comparison of 50-digit number types, of logarithms, and of rules for the integral of one panel of a
+// flat punch,
 //
 //   int over [-3/10, 1/10] of prod |x - e_j|^p_j,   five factors, e = -1, -3/10, 1/10, 4/10, 1.
 //
-// Peers in the same run: Boost's tanh-sinh rule, Arb's acb_calc_integrate (certified) and, where libpari-dev is
+// Competitors in the same run: Boost's tanh-sinh rule, Arb's acb_calc_integrate (certified) and, if libpari-dev is
 // installed, PARI's intnum.
 
 #include <benchmark/benchmark.h>
@@ -24,7 +25,7 @@ namespace {
 using namespace steadyslide;
 using namespace steadyslide::numeric;
 
-// As many bits as Real50 has.
+// This type has the same number of bits as Real50.
 using BinFloat = boost::multiprecision::number<
     boost::multiprecision::cpp_bin_float<std::numeric_limits<Real50>::digits, boost::multiprecision::digit_base_2>,
     boost::multiprecision::et_off>;
@@ -42,7 +43,7 @@ void weight_integral(benchmark::State& state) {
   }
 }
 
-/// Numbers that a logarithm, an exponential and a power are taken of, in turn.
+/// The arguments of a logarithm, an exponential and a power, used in turn.
 template <Real R>
 std::vector<R> arguments() {
   std::vector<R> result;
@@ -103,7 +104,7 @@ void note_error(benchmark::State& state, const R& value) {
 
 template <Real R>
 void panel_by_grid(benchmark::State& state) {
-  // Without its neighbours: for an integral alone there is no place next to it at which a principal value is taken.
+  // The panel has no neighbours, because an integral alone needs no principal values next to it.
   PiecewiseDensity<R> panel{density<R>()[own]};
   R value;
   for (auto _ : state) value = double_exponential::Grid<R>(panel).integral();
@@ -118,7 +119,7 @@ void panel_by_boost(benchmark::State& state) {
   note_error(state, value);
 }
 
-/// Both end powers in one rule, made before: one logarithm a factor and one exponential a node.
+/// A precomputed rule with both end powers: one logarithm for each factor and one exponential for each node.
 template <Real R>
 void panel_by_jacobi(benchmark::State& state) {
   const FundamentalSolution<R> y = five_factors<R>();
@@ -153,7 +154,7 @@ void panel_by_arb(benchmark::State& state) {
 }
 
 #ifdef STEADYSLIDE_WITH_PARI
-/// intnum with the powers at both ends declared, its table made before.
+/// intnum with declared powers at both ends and a precomputed table.
 template <Real R>
 void panel_by_pari(benchmark::State& state) {
   static const bool started = (pari_init(64'000'000, 1000), true);

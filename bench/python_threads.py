@@ -24,6 +24,6 @@ def seconds(threads):
     return time.perf_counter() - start
 
 
-problems[0].solve(digits=digits)  # what is made at first use
+problems[0].solve(digits=digits)  # computes the data that is made at first use
 one, two = seconds(1), seconds(2)
 print(f"{solves} solves with {digits} digits: one thread {one:.2f} s, two {two:.2f} s, {one / two:.2f} times as fast")

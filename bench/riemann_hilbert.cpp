@@ -1,6 +1,6 @@
-// The Riemann-Hilbert solver beside a coarse variational solution with 1,024 cells and beside the same formula
-// evaluated by GSL alone; and what a solve and a traction value cost by the number of friction jumps. Counters `ends`
-// and `traction` are the relative errors against 50 digits.
+// The Riemann-Hilbert solver compared with a coarse variational solution with 1,024 cells and with the same formula
+// evaluated only by GSL; and the cost of a solve and of a traction value by the number of friction jumps. The counters
+// `ends` and `traction` are the relative errors against 50 digits.
 
 #include <benchmark/benchmark.h>
 
@@ -15,7 +15,8 @@ using namespace steadyslide::numeric;
 
 namespace {
 
-/// A rounded punch: one polynomial, or two that meet in a wedge; friction jumps evenly over the support.
+/// Returns a rounded punch: one polynomial, or two that meet in a wedge; friction jumps at equal distances over the
+/// support.
 ContactProblem punch(int jumps, bool wedge) {
   std::vector<Rational> values;
   std::vector<Rational> places;
@@ -80,7 +81,7 @@ void variational_1024(benchmark::State& state, bool wedge) {
 
 Rational place() { return {1, 7}; }
 
-/// Notes the error of a traction at place().
+/// Records the error of a traction at place().
 void note_error(benchmark::State& state, double t, bool wedge) {
   const Real50 exact = solution<Real50>(few, wedge).at(place()).traction.left.value;
   state.counters["traction"] = static_cast<double>(Real50(abs(t - exact) / abs(exact)));
@@ -96,7 +97,7 @@ void traction(benchmark::State& state, bool wedge) {
   note_error(state, t, wedge);
 }
 
-/// t = s g/(1+s^2) - eps cos(pi alpha) |Y| (1/pi) PV int eps cos(pi alpha) g/|Y| dx'/(x'-x), by QAWS and QAWC alone.
+/// t = s g/(1+s^2) - eps cos(pi alpha) |Y| (1/pi) PV int eps cos(pi alpha) g/|Y| dx'/(x'-x), by QAWS and QAWC only.
 void traction_by_gsl(benchmark::State& state, bool wedge) {
   const auto& s = dynamic_cast<const RiemannHilbertSolution<double>&>(solution<double>(few, wedge));
   const TractionRepresentation<double>& form = s.form();

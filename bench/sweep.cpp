@@ -1,6 +1,6 @@
-// What a sweep costs beside its solves: bench_sweep SWEEP.toml [JOBS]. In turns, so that a busy machine is busy for all:
-// the numbers that solve prints, the same as texts, the rows of the table; then all solves, and all rows, in threads. Problems and texts
-// are made in 20 blocks.
+// The cost of a sweep compared with its solves: bench_sweep SWEEP.toml [JOBS]. The measurements alternate, so that the
+// load of the machine affects all of them: the numbers that solve prints, the same as texts, the rows of the table;
+// then all solves, and all rows, in threads. Problems and texts are made in 20 blocks.
 
 #include <chrono>
 #include <cstdio>
@@ -31,7 +31,7 @@ double time_of(double (*seconds)(), Act act) {
   return seconds() - start;
 }
 
-/// What solve asks of a solution in double.
+/// Computes the values that solve needs from a solution in double.
 void numbers(const ContactProblem& problem) {
   const auto solution = numeric::closed_form<double>(problem).solution;
   if (!solution) return;
@@ -71,7 +71,7 @@ int main(int argc, char** argv) {
   const int jobs = argc > 2 ? std::atoi(argv[2]) : 2;
   std::vector<Problem> all;
   for (std::size_t n = 0; n < table.size(); ++n) all.push_back(problems.problem(n));
-  // Cores that are busy together are slower each: the floor is every thread with a part of the bare solves.
+  // Cores that work at the same time are slower. So the reference is all threads with parts of the bare solves.
   const double bare = time_of(clock_seconds, [&] {
     std::vector<std::jthread> threads;
     for (int k = 0; k < jobs; ++k) {

@@ -1,5 +1,6 @@
-// Tractions of a flat punch with three friction jumps, beside the floor, the same powers alone, and in double beside the
-// logarithms and the exponential of glibc's libmvec. README.md says how to take the instruction sets from glibc, too.
+// Tractions of a flat punch with three friction jumps, compared with the same powers alone, which are a lower limit,
+// and in double with the logarithms and the exponential of glibc's libmvec. README.md describes how to hide instruction
+// sets from glibc too.
 
 #include <benchmark/benchmark.h>
 
@@ -19,7 +20,7 @@ ContactProblem punch() {
           Indenter(-1, {{1, Polynomial()}}), 1};
 }
 
-/// The points of one panel behind the other, and the distances of each from all ends and jumps.
+/// The points, panel by panel, and the distances of each point from all ends and jumps.
 template <Real R>
 struct Setting {
   static constexpr std::size_t points = std::same_as<R, double> ? 1'000'000 : 100'000;
@@ -59,7 +60,7 @@ void items(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(Setting<R>::points));
 }
 
-/// Times `fill`, which finds the values at all points.
+/// Measures the time of `fill`, which computes the values at all points.
 template <Real R, class Fill>
 void measure(benchmark::State& state, const Fill& fill) {
   Setting<R>& s = Setting<R>::get();
@@ -84,7 +85,7 @@ void floor_of_powers(benchmark::State& state) {
   });
 }
 
-/// The solution's tractions at points of panels, one by one.
+/// Computes the solution's tractions at points of panels, one by one.
 template <Real R>
 void one_by_one(benchmark::State& state) {
   measure<R>(state, [](Setting<R>& s) {
@@ -94,7 +95,7 @@ void one_by_one(benchmark::State& state) {
   });
 }
 
-/// The same at once.
+/// Computes the same in one call.
 template <Real R>
 void on_panels(benchmark::State& state) {
   measure<R>(state, [n = Setting<R>::get().per_panel()](Setting<R>& s) {
@@ -105,14 +106,14 @@ void on_panels(benchmark::State& state) {
   });
 }
 
-/// Tractions and shear at given x.
+/// Computes tractions and shear at given x.
 template <Real R>
 void at_places(benchmark::State& state) {
   std::vector<R> shear(Setting<R>::points);
   measure<R>(state, [&](Setting<R>& s) { s.solution.tractions(s.x, s.values, shear); });
 }
 
-/// The peer in many digits: logarithms of the distances and one exponential by Arb, an enclosure to so many digits.
+/// The competitor in high precision: logarithms of the distances and one exponential by Arb, as an enclosure.
 template <Real R>
 void arb_kernel(benchmark::State& state) {
   Setting<R>& s = Setting<R>::get();
@@ -143,7 +144,7 @@ void arb_kernel(benchmark::State& state) {
   items<R>(state);
 }
 
-/// The kernel of an instruction set on the points of one panel.
+/// Runs the kernel of an instruction set on the points of one panel.
 void kernel(benchmark::State& state, InstructionSet set) {
   const std::vector<Power<double>>& powers = Setting<double>::get().powers;
   std::vector<PowerFactor> of_left, of_right;
@@ -169,7 +170,7 @@ __attribute__((target("avx512f"))) Eight _ZGVeN8v_log(Eight);
 __attribute__((target("avx512f"))) Eight _ZGVeN8v_exp(Eight);
 }
 
-// A sum of logarithms in double: the time of libmvec, not the accuracy of a product of powers.
+// A sum of logarithms in double. It has the time of libmvec, but not the accuracy of a product of powers.
 #define STEADYSLIDE_LIBMVEC(name, Vector, target, log, exp)                         \
   target void name(benchmark::State& state) {                                       \
     Setting<double>& s = Setting<double>::get();                                    \

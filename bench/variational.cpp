@@ -1,6 +1,7 @@
-// The variational solver by the number of cells, on a parabola over two friction jumps and on a hundred asperities; its
-// operator product beside the two Fourier transforms that it contains. Counters: `products` operator products on the
-// finest mesh, `zones` contact components, `natural` the certificate's residual, `peak_MB` of the process so far.
+// The variational solver for several numbers of cells, on a parabola over two friction jumps and on a hundred
+// asperities; its operator product compared with the two Fourier transforms that it contains. The counters are
+// `products`, the operator products on the finest mesh; `zones`, the contact components; `natural`, the certificate's
+// residual; `peak_MB`, the peak memory of the process so far.
 
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
@@ -27,7 +28,7 @@ ContactProblem parabola() {
           1};
 }
 
-/// A hundred parabolic asperities of random heights on a wide parabola; about half of them are in contact.
+/// Returns a hundred parabolic asperities of random heights on a wide parabola; about half of them are in contact.
 ContactProblem asperities() {
   constexpr int count = 100;
   std::mt19937_64 random(2016);

@@ -5,14 +5,14 @@
 namespace steadyslide::checker {
 
 Ball Ball::parse(const std::string& text, slong bits) {
-  // Midpoint and radius, each a mantissa and a power of two, hexadecimal: no infinity and no NaN has this form. A radius
-  // has 30 bits in Arb, which ends the process if it is to read more.
+  // Midpoint and radius, each a mantissa and a power of two in hexadecimal. Infinity and NaN do not have this form. In
+  // Arb a radius has 30 bits; Arb ends the process if it reads more.
   static const std::regex form("-?[0-9a-f]{1,2000} -?[0-9a-f]{1,8} ([0-9a-f]{1,7}|[0-3][0-9a-f]{7}) -?[0-9a-f]{1,8}");
   Ball result;
   bool read = text.size() <= 2100 && std::regex_match(text, form) && arb_load_str(result.ball_, text.c_str()) == 0 &&
               result.is_finite() && arb_bits(result.ball_) <= bits;
   if (read) {
-    // Were anything rounded, it would not be what the text says.
+    // If anything were rounded, the ball would differ from the text.
     char* again = arb_dump_str(result.ball_);
     read = text == again;
     flint_free(again);

@@ -1,7 +1,8 @@
 #pragma once
-// A real number as Arb encloses it: a midpoint and a radius, with the precision of whatever is computed with it. A result
-// has the lesser precision of its two operands; small integers and doubles are exact and take that of the other one.
-// Every question ("is it positive?") is answered with yes only if it is so for all numbers of the ball; NaN is never yes.
+// A real number as an Arb ball: a midpoint and a radius, with the precision of computations with it. A result has the
+// lower precision of its two operands; small integers and doubles are exact and take the precision of the other
+// operand. A predicate such as is_positive() is true only if it holds for all numbers of the ball; it is never true for
+// NaN.
 
 #include <arb.h>
 
@@ -13,7 +14,7 @@
 
 namespace steadyslide::checker {
 
-/// An upper bound of a number that is not negative: 30 bits and any exponent; infinite where there is none.
+/// An upper bound of a non-negative number, with 30 bits and any exponent; infinite if there is no bound.
 class Bound {
  public:
   Bound() { mag_init(bound_); }
@@ -56,7 +57,8 @@ class Ball {
   ~Ball() { arb_clear(ball_); }
 
   static Ball pi(slong precision) { return made(precision, arb_const_pi, precision); }
-  /// What arb_dump_str writes and nothing else: NaN if the text is none, is not finite, or has more than `bits` bits.
+  /// Reads the output of arb_dump_str. Returns NaN for any other text, for a ball that is not finite, and for more than
+  /// `bits` bits.
   static Ball parse(const std::string& text, slong bits);
 
   arb_ptr get() { return ball_; }
@@ -68,12 +70,12 @@ class Ball {
   bool is_positive() const { return arb_is_positive(ball_) != 0; }
   bool is_negative() const { return arb_is_negative(ball_) != 0; }
   bool is_finite() const { return arb_is_finite(ball_) != 0; }
-  /// Does the interior of this ball contain all of `other`?
+  /// True if the interior of this ball contains all of `other`.
   bool contains_inside(const Ball& other) const {
     return is_finite() && other.is_finite() && arb_contains_interior(ball_, other.ball_) != 0;
   }
 
-  // Without a radius: the centre, the two ends, the radius, the largest absolute value.
+  // These return exact balls: the centre, the two ends, the radius, the largest absolute value.
   Ball middle() const { return made(precision_, arb_get_mid_arb, ball_); }
   Ball radius() const { return made(precision_, arb_get_rad_arb, ball_); }
   Ball lower() const { return -(-*this).upper(); }
@@ -87,7 +89,7 @@ class Ball {
     const Ball a = upper(), b = (-*this).upper();
     return (a - b).is_negative() ? b : a;
   }
-  /// This ball with `error`'s largest absolute value added to its radius.
+  /// Returns this ball with `error`'s largest absolute value added to its radius.
   Ball widened(const Ball& error) const {
     Ball result = *this;
     arb_add_error(result.ball_, error.ball_);
@@ -98,10 +100,10 @@ class Ball {
     arb_get_mag(result.get(), ball_);
     return result;
   }
-  /// Of the centre: the least e with |x| < 2^e, far below any other for 0.
+  /// Returns, for the centre x, the smallest e with |x| < 2^e; for 0 a very small number.
   slong exponent() const { return std::max<slong>(arf_abs_bound_lt_2exp_si(arb_midref(ball_)), -(slong(1) << 40)); }
   double approximately() const { return arf_get_d(arb_midref(ball_), ARF_RND_NEAR); }
-  /// "0.41285 +/- 3.1e-12".
+  /// Returns text such as "0.41285 +/- 3.1e-12".
   std::string text(slong digits = 6) const;
 
   Ball operator-() const { return made(precision_, arb_neg, ball_); }
@@ -118,10 +120,10 @@ class Ball {
   friend Ball cos(const Ball& x) { return made(x.precision_, arb_cos, x.ball_, x.precision_); }
   friend Ball sin(const Ball& x) { return made(x.precision_, arb_sin, x.ball_, x.precision_); }
   friend Ball atan(const Ball& x) { return made(x.precision_, arb_atan, x.ball_, x.precision_); }
-  /// x^p for x > 0 (NaN otherwise), and 0 for x exactly 0 and p > 0: where arb_pow gives NaN, or reads a p that is an
-  /// integer as another function.
+  /// Returns x^p for x > 0, 0 for x exactly 0 and p > 0, and NaN otherwise. arb_pow gives NaN for x = 0, or computes
+  /// another function if p is an integer.
   friend Ball power(const Ball& x, const Ball& p) { return x.is_zero() && p.is_positive() ? Ball() : exp(p * log(x)); }
-  /// A ball that contains both.
+  /// Returns a ball that contains both.
   friend Ball hull(const Ball& a, const Ball& b) { return both(arb_union, a, b); }
 
  private:
@@ -146,7 +148,7 @@ class Ball {
   slong precision_;
 };
 
-/// sum_k a_k x^k.
+/// Returns sum_k a_k x^k.
 inline Ball horner(const std::vector<Ball>& a, const Ball& x) {
   Ball sum;
   for (std::size_t k = a.size(); k-- > 0;) sum = sum * x + a[k];

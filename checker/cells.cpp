@@ -14,26 +14,26 @@ namespace steadyslide::checker {
 namespace {
 
 constexpr slong precision = 160;
-constexpr slong fraction = 128;  ///< of the numbers in sums over all nodes
+constexpr slong fraction = 128;  ///< bits after the point of the numbers in sums over all nodes
 constexpr std::size_t near = 3;
 constexpr std::size_t degree = 8;
 constexpr int most_halvings = 60;
 constexpr std::size_t most_cells = std::size_t{1} << 22;
-constexpr std::int64_t largest_weight = (std::int64_t{1} << 41) - 1;  ///< no sum of them exceeds 63 bits
+constexpr std::int64_t largest_weight = (std::int64_t{1} << 41) - 1;  ///< so that no sum of weights exceeds 63 bits
 
 Ball ball(const Rational& q) { return {q, precision}; }
 Rational size(const Rational& q) { return q.sign() < 0 ? Rational(0) - q : q; }
-/// k/2.
+/// Returns k/2.
 Ball halves(long k) { return Ball(static_cast<double>(k) / 2).rounded(precision); }
 Ball logarithm_of_size(const Ball& x) { return log(x.is_negative() ? -x : x); }
-/// x log|x|, 0 at 0.
+/// Returns x log|x|; 0 at 0.
 Ball l(const Ball& x) { return x.is_zero() ? x : x * logarithm_of_size(x); }
-/// int_0^x l = x^2/2 log|x| - x^2/4.
+/// Returns int_0^x l = x^2/2 log|x| - x^2/4.
 Ball integral_of_l(const Ball& x) { return x * l(x) * Ball(0.5) - x * x * Ball(0.25); }
-/// l on [0, w], w <= 1: it falls to -1/e at 1/e and rises to 0 at 1.
+/// Returns l on [0, w], w <= 1. It decreases to -1/e at 1/e and increases to 0 at 1.
 Ball range_of_l(const Ball& w) { return hull((Ball(0.25) - w).is_positive() ? l(w) : Ball(-0.375), Ball()); }
 
-/// sum_m w_m kernel(i + 1/2 - m) for the cells i = 0..N-1; the kernel gets twice its argument, which is odd.
+/// Returns sum_m w_m kernel(i + 1/2 - m) for the cells i = 0..N-1. The argument is passed doubled, as an odd integer.
 template <class Kernel>
 std::vector<Ball> sums_over_nodes(const std::vector<std::int64_t>& w, const Kernel& kernel) {
   const auto n = static_cast<slong>(w.size()) - 1;
@@ -49,7 +49,7 @@ std::vector<Ball> sums_over_nodes(const std::vector<std::int64_t>& w, const Kern
     fmpz_poly_set_coeff_si(a.poly, m, w[static_cast<std::size_t>(m)]);
     sizes += Ball(static_cast<double>(std::abs(w[static_cast<std::size_t>(m)])));
   }
-  Ball error;  // of a kernel's number, in units of 2^-fraction
+  Ball error;  // error of a kernel value, in units of 2^-fraction
   for (slong d = -n; d < n; ++d) {
     Ball value = kernel(2 * d + 1);
     arb_mul_2exp_si(value.get(), value.get(), fraction);
@@ -90,7 +90,7 @@ class Gap {
     rest_ = (sizes * per_pi_ * Ball(7.0) / Ball(512.0 * 72 * 22518 * 6)).upper();
   }
 
-  /// H >= <H, p_h>/P - E everywhere.
+  /// Proves H >= <H, p_h>/P - E everywhere.
   std::size_t prove() {
     Ball mean;
     std::vector<std::vector<Part>> cells(n_);
@@ -107,16 +107,16 @@ class Gap {
   }
 
  private:
-  /// Of a cell: psi/(c P) + F/S there, a polynomial in t.
+  /// A part of a cell, with psi/(c P) + F/S there as a polynomial in t.
   struct Part {
     Ball from;
     Ball to;
     std::vector<Ball> given;
   };
 
-  /// Coefficients of t^p, for each cell, of the sum over the nodes that are not near.
+  /// Returns, for each cell, the coefficients of t^p in the sum over the far nodes.
   std::vector<std::vector<Ball>> far_coefficients() const {
-    std::vector<Ball> logs;  // of k + 1/2
+    std::vector<Ball> logs;  // logarithms of k + 1/2
     for (std::size_t k = 0; k <= n_; ++k) logs.push_back(log(halves(2 * static_cast<long>(k) + 1)));
     std::vector<std::vector<Ball>> result;
     for (std::size_t p = 0; p <= degree; ++p) {
@@ -135,7 +135,7 @@ class Gap {
     return result;
   }
 
-  /// How far parts() has come: the piece of the profile and of friction there, and F = int_0^i s n.
+  /// The progress of parts(): the current piece of the profile and of friction, and F = int_0^i s n.
   struct Progress {
     std::size_t piece = 0;
     std::size_t friction = 0;
@@ -166,7 +166,7 @@ class Gap {
     return result;
   }
 
-  /// r_m/(pi S) and m - i - 1/2 of the near nodes: f(-r/(pi S), tau).
+  /// Calls f(-r/(pi S), tau) for the near nodes, with r = r_m and tau = m - i - 1/2.
   template <class F>
   void for_near(std::size_t i, const F& f) const {
     for (std::size_t m = i + 1 > near ? i + 1 - near : 0; m <= std::min(i + near, n_); ++m) {
@@ -217,14 +217,14 @@ class Gap {
     return "x = " + (ball(cells_.problem.left) + ball(h_) * y).middle().text(8);
   }
 
-  /// H >= level_ on [t0, t1].
+  /// Checks H >= level_ on [t0, t1].
   void check(std::size_t i, const Part& part, const Ball& t0, const Ball& t1, int halvings) {
     ++intervals_;
     const Ball middle = ((t0 + t1) * Ball(0.5)).middle();
     const Ball all = hull(t0, t1);
     Ball value = smooth(i, part, middle);
     Ball slope = smooth_slope(i, part, all);
-    Ball ends;  // terms of nodes at the ends
+    Ball ends;  // terms of the nodes at the ends
     for_near(i, [&](const Ball& factor, const Ball& tau) {
       const Ball x = all - tau;
       if (arb_contains_zero(x.get()) != 0) {
@@ -255,13 +255,13 @@ class Gap {
   std::vector<std::int64_t> rises_;
   Ball S_;
   Ball per_pi_;  ///< 1/(pi S)
-  Ball rest_;    ///< of the Taylor polynomials, in H
+  Ball rest_;    ///< rest of the Taylor polynomials, in units of H
   std::vector<std::vector<Ball>> far_;
   Ball level_;
   std::size_t intervals_ = 0;
 };
 
-/// The parts of the load left of y.
+/// Returns the fraction of the load left of y.
 Rational load_before(const Cells& cells, const Rational& y) {
   Rational sum, total, place;
   for (const std::int64_t w : cells.weights) {
@@ -272,7 +272,7 @@ Rational load_before(const Cells& cells, const Rational& y) {
   return sum / total;
 }
 
-/// K(1 - M)/K(M), 0 < M < 1.
+/// Returns K(1 - M)/K(M), 0 < M < 1.
 Ball modulus(const Rational& M) {
   const auto K = [](const Rational& m) {
     acb_t z;
@@ -307,12 +307,12 @@ class Deviations {
     }
   }
 
-  /// The part of the load left of jump k as the cells have it; 0 and 1 at the support's ends.
+  /// Returns the fraction of the load of the cells left of jump k; 0 and 1 at the support's ends.
   Rational before(std::size_t k) const {
     return k == 0 ? Rational(0) : k > before_.size() ? Rational(1) : before_[k - 1];
   }
 
-  /// An upper bound of |sum a_k D(c_k)|.
+  /// Returns an upper bound of |sum a_k D(c_k)|.
   Ball bound(const std::vector<Rational>& a) const {
     Rational sum;
     bool by_jumps = true;
@@ -331,7 +331,7 @@ class Deviations {
       return total;
     };
     if (!by_jumps) return capacity_bound(E_).upper();
-    // The first falls with beta, the second grows: what both are below at any beta is a bound.
+    // The first bound decreases with beta, the second increases. So the larger of both at any beta is a bound.
     Ball low, high = E_;
     for (int i = 0; i < 50; ++i) {
       const Ball beta = ((low + high) * Ball(0.5)).middle();
@@ -343,7 +343,7 @@ class Deviations {
   }
 
  private:
-  /// |D(c)| <= load + root sqrt(beta), from one side.
+  /// The bound |D(c)| <= load + root sqrt(beta) from one side.
   struct Capacity {
     Ball load;
     Ball root;
@@ -356,7 +356,7 @@ class Deviations {
 
 void require_within(const std::array<Rational, 2>& claim, const Rational& value, const Ball& bound,
                     const Rational& least, const Rational& most, const std::string& what) {
-  // A claim that ends where the number does by itself needs no bound there.
+  // At the smallest and the largest possible value of the number, a claim needs no bound.
   const bool below = claim[0] <= least || arb_is_nonnegative((ball(value - claim[0]) - bound).get()) != 0;
   const bool above = claim[1] >= most || arb_is_nonnegative((ball(claim[1] - value) - bound).get()) != 0;
   if (!below || !above) throw Unproved(what + " is proved to " + bound.text() + " only, about " + ball(value).text(10));

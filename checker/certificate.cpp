@@ -46,13 +46,14 @@ Point read_point(const Reader& at, int bits, std::vector<Ball>& log_offsets) {
   point.contact = contacts.at(at["contact"].choice({"interior", "outside", "begins", "ends"}));
   if (point.is_free() && !point.is_end()) at["contact"].fail("no end", "a point beside an anchor is an end of contact");
   if ((at.has("free") && at["free"].boolean()) != point.is_free()) {
-    // A traction that vanishes at an anchor is one condition more than there are unknowns.
+    // A traction that vanishes at an anchor would give one more condition than unknowns.
     at.fail("free where it is not", "an end of contact is free if it lies beside an anchor, and an edge if it is one");
   }
   return point;
 }
 
-/// Anchors one after the other, free ends in the interval beside theirs, contact that begins and ends in turns.
+/// Reads the points: anchors in order, free ends in the interval beside their anchor, contact that begins and ends
+/// alternately.
 Layout read_layout(const Reader& at, const ReducedProblem& problem, int bits, std::vector<Ball>& log_offsets) {
   Layout layout;
   const std::vector<Reader> points = at["points"].list();
@@ -78,7 +79,7 @@ Layout read_layout(const Reader& at, const ReducedProblem& problem, int bits, st
   return layout;
 }
 
-/// `at` has the keys points, segments, q, and tilt where there is one.
+/// Reads a box. `at` has the keys points, segments, q, and tilt if the indenter may tilt.
 Box read_box(const Reader& at, const ReducedProblem& problem, int bits, const Problem::Loads& loads) {
   Box box;
   box.loads = loads;
@@ -96,7 +97,7 @@ Box read_box(const Reader& at, const ReducedProblem& problem, int bits, const Pr
   return box;
 }
 
-/// Loads that begin where those before have ended, from the first of the problem's to the last.
+/// Reads boxes for consecutive intervals of loads, from the problem's first load to its last one.
 void read_boxes(const Reader& at, const ReducedProblem& problem, Certificate& c) {
   Rational reached = c.problem.loads.from;
   for (const Reader& box : at.list()) {

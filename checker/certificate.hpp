@@ -1,6 +1,6 @@
 #pragma once
-// A certificate as docs/certified.md defines it, read and found to be consistent with itself: every anchor of the
-// problem once, ends of contact that begin and end in turns, as many balls as there are unknowns. Nothing is proved yet.
+// A certificate as defined in docs/certified.md, read and checked for consistency: every anchor of the problem once,
+// ends of contact that begin and end alternately, one ball for each unknown. Nothing is proved yet.
 
 #include <string>
 #include <vector>
@@ -24,30 +24,30 @@ struct Point {
   bool is_free() const { return side != 0; }
 };
 
-/// What is known of the contact without any number: its points, and what lies between neighbours.
+/// The topology of the contact: its points, and the segments between neighbours.
 struct Layout {
   std::vector<Point> points;           ///< left to right
-  std::vector<bool> in_contact;        ///< of segment k, between points k and k + 1
-  std::vector<std::size_t> intervals;  ///< the interval between anchors in which segment k lies
+  std::vector<bool> in_contact;        ///< for segment k, between points k and k + 1
+  std::vector<std::size_t> intervals;  ///< the interval between anchors that contains segment k
 
-  /// Points of contact's ends, "begins" or "ends", left to right.
+  /// Returns the points at which contact begins, or ends, from left to right.
   std::vector<std::size_t> all(Point::Contact kind) const;
   std::vector<std::size_t> free_ends() const;
-  /// Free ends minus components: the degree S of Y at infinity.
+  /// Returns the number of free ends minus the number of components: the degree S of Y at infinity.
   int degree_at_infinity() const;
 };
 
-/// The unknowns: what a box has balls for, in the order of list().
+/// The unknowns, for which a box has balls, in the order of list().
 struct Unknowns {
-  std::vector<Ball> log_offsets;  ///< of the free ends, left to right
-  std::vector<Ball> q;            ///< without the leading coefficient, which is the load
-  std::vector<Ball> tilt;         ///< one where the indenter may tilt, none otherwise
+  std::vector<Ball> log_offsets;  ///< for the free ends, left to right
+  std::vector<Ball> q;            ///< coefficients without the leading one, which is the load
+  std::vector<Ball> tilt;         ///< one ball if the indenter may tilt, otherwise empty
 
   std::vector<Ball> list() const;
   Unknowns with(const std::vector<Ball>& list) const;
 };
 
-/// For each of the loads one solution with this contact is claimed in V.
+/// The claim that for each of the loads there is one solution with this contact in V.
 struct Box {
   Problem::Loads loads;
   Layout layout;
@@ -59,14 +59,14 @@ struct Certificate {
   Rational origin;
   Rational unit;
   int bits = 0;
-  std::vector<Box> boxes;  ///< for loads one after the other, all of the problem's
+  std::vector<Box> boxes;  ///< for consecutive loads, which cover all loads of the problem
   bool unique_by_theorem_1 = false;
 
-  /// Of kind "solution" or "loads".
+  /// Reads a certificate of kind "solution" or "loads".
   static Certificate read(const Reader& at);
 };
 
-/// The keys that certificates of every kind have: the format's version and the program that wrote it.
+/// Checks the keys of all certificates: the version of the format and the program that wrote it.
 void check_heading(const Reader& at);
 
 }  // namespace steadyslide::checker

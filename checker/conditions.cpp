@@ -9,7 +9,7 @@ namespace {
 
 using Kind = Point::Contact;
 
-/// Gaps as pairs of points, where contact ends and begins again.
+/// Returns the gaps as pairs of points, where contact ends and begins again.
 std::vector<std::pair<std::size_t, std::size_t>> gaps(const Contact& contact) {
   const std::vector<std::size_t> ends = contact.layout().all(Kind::ends);
   const std::vector<std::size_t> begins = contact.layout().all(Kind::begins);
@@ -18,7 +18,7 @@ std::vector<std::pair<std::size_t, std::size_t>> gaps(const Contact& contact) {
   return result;
 }
 
-/// The k for which the coefficient of z^-k in u'/c is a condition.
+/// Returns the k for which the coefficient of z^-k in u'/c is a condition.
 std::vector<int> orders_at_infinity(const Contact& contact) {
   std::vector<int> result;
   for (int k = 1 - contact.degree_at_infinity(); k <= 1; ++k) result.push_back(k);
@@ -26,8 +26,8 @@ std::vector<int> orders_at_infinity(const Contact& contact) {
   return result;
 }
 
-/// int Y B_k over a panel inside a gap. In the strip of the rule |B_k| is at most the bound of its polynomial plus
-/// sec(d/2) times its integrals with absolute values.
+/// Returns int Y B_k over a panel inside a gap. In the strip of the rule |B_k| is at most the bound of its polynomial
+/// plus sec(d/2) times its integrals with absolute values.
 Ball integral_of_YB(const TractionRepresentation& form, std::size_t k, const PowerPanel& panel) {
   const Contact& contact = form.contact();
   const Trapezoid rule = panel.rule(form.bits());
@@ -42,7 +42,7 @@ Ball integral_of_YB(const TractionRepresentation& form, std::size_t k, const Pow
       Interpolant::of(form, form.bits() + 4, k, place(Ball(), rule.panel().length), rule.panel().length);
   const std::vector<Ball> polynomial = interpolant ? interpolant->polynomial() : std::vector<Ball>();
   for (const Trapezoid::Node& node : rule.nodes()) {
-    // What counts little is needed to fewer bits.
+    // Nodes with a small weight need fewer bits.
     const slong below = std::min(largest - node.weight.exponent(), form.bits());
     if (interpolant) {
       const Ball y = ((node.u - half) / half).rounded(contact.precision() - below);
@@ -60,7 +60,8 @@ Ball integral_of_YB(const TractionRepresentation& form, std::size_t k, const Pow
   return Ball(contact.sign(panel.i)) * total;
 }
 
-/// int Y p/(x - e) over the gap between points j and i, e the point `extra`; int Y p if it is none.
+/// Returns int Y p/(x - e) over the gap between points j and i, where e is the point `extra`; int Y p if `extra` is
+/// none.
 Ball integral_of_Y(const TractionRepresentation& form, std::size_t j, std::size_t i, const std::vector<Ball>& p,
                    std::size_t extra = none) {
   const Contact& contact = form.contact();
@@ -84,7 +85,7 @@ Ball gap_error(const TractionRepresentation& form, std::size_t j, std::size_t i)
   return gap_at(form, j, middle) - gap_at(form, i, middle);
 }
 
-/// [q/(z - e)]_poly.
+/// Returns [q/(z - e)]_poly.
 std::vector<Ball> quotient(const std::vector<Ball>& q, const Ball& e) {
   std::vector<Ball> result(q.empty() ? 0 : q.size() - 1);
   Ball carry;
@@ -97,7 +98,7 @@ std::vector<Ball> quotient(const std::vector<Ball>& q, const Ball& e) {
 Ball slope_difference(const Contact& contact, std::size_t segment, std::size_t k, const Ball& from, const Ball& to) {
   const std::size_t own = contact.slope_of(segment);
   if (own == k) return {};
-  // About the anchor of the left point: a short gap beside it loses no digits.
+  // Expand about the anchor of the left point, so that a short gap beside it loses no digits.
   const ReducedProblem& problem = contact.problem();
   const Rational& anchor = problem.anchors[contact.layout().points[segment].anchor];
   const Polynomial d = composed(problem.slopes[own] - problem.slopes[k], 1, anchor);
@@ -173,10 +174,10 @@ std::vector<std::vector<Ball>> jacobian(const TractionRepresentation& form) {
   const int S = contact.degree_at_infinity();
   const Ball pi = Ball::pi(contact.precision());
   const std::vector<std::size_t> free = contact.layout().free_ends();
-  // With the leading coefficient, which is the load and comes last.
+  // The number includes the leading coefficient, which is the load and comes last.
   const std::size_t coefficients = form.q().size();
   const bool tilts = contact.problem().load_at.has_value();
-  const auto inverse = [&](int k) { return contact.coefficient({Ball(1)}, k); };  // of 1/Y, z^k
+  const auto inverse = [&](int k) { return contact.coefficient({Ball(1)}, k); };  // coefficient of z^k in 1/Y
   std::vector<Ball> rho;
   std::vector<std::vector<Ball>> r;
   for (const std::size_t f : free) {

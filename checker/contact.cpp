@@ -45,7 +45,7 @@ void Contact::find_powers() {
   power_.resize(points());
   cosine_.resize(segments());
   sign_.resize(segments());
-  int n = 0;  // sigma off the contact; inside m is kept there, alpha + m + 1/2 being sigma
+  int n = 0;  // sigma outside the contact; inside it is m, with sigma = alpha + m + 1/2
   for (std::size_t j = points(); j-- > 0;) {
     const Point& point = layout_->points[j];
     if (point.contact == Kind::ends) {

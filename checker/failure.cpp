@@ -9,7 +9,8 @@ namespace {
 
 constexpr std::size_t longest_line = 600;
 
-/// The length of the UTF-8 character at `at` that a terminal prints and does not obey; 0 if there is none.
+/// Returns the length of the UTF-8 character at `at` if a terminal prints it; 0 if it is a control character or
+/// invalid.
 std::size_t printable_length(const std::string& text, std::size_t at) {
   const auto byte = [&](std::size_t k) { return static_cast<unsigned>(static_cast<unsigned char>(text[k])); };
   const unsigned first = byte(at);

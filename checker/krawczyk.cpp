@@ -9,14 +9,14 @@
 namespace steadyslide::checker {
 namespace {
 
-/// F'(V) to these many bits is plenty for a contraction.
+/// This number of bits of F'(V) is sufficient for a contraction.
 constexpr slong jacobian_bits = 48;
 
 using Matrix = std::vector<std::vector<Ball>>;
 
-/// An approximate inverse of the centre of a; any matrix serves, but a bad one proves nothing.
+/// Returns an approximate inverse of the centre of a. Any matrix is admissible, but a bad one proves nothing.
 Matrix inverse_of_centre(const Matrix& a, slong precision) {
-  const auto n = static_cast<slong>(a.size());  // columns beyond these, of the load, are left out
+  const auto n = static_cast<slong>(a.size());  // the last column, for the load, is left out
   Matrix result(a.size(), std::vector<Ball>(a.size(), Ball().rounded(precision)));
   arb_mat_t matrix;
   arb_mat_init(matrix, n, n);
@@ -27,7 +27,7 @@ Matrix inverse_of_centre(const Matrix& a, slong precision) {
       }
     }
   };
-  // Rows that differ by powers of ten make bad pivots: each is taken with its largest entry near 1.
+  // Rows that differ by powers of ten give bad pivots. So each row is scaled to a largest entry near 1.
   std::vector<slong> sizes(a.size(), -(slong(1) << 40));
   each([&](arb_ptr, std::size_t i, std::size_t j) { sizes[i] = std::max(sizes[i], a[i][j].exponent()); });
   each([&](arb_ptr entry, std::size_t i, std::size_t j) { arb_mul_2exp_si(entry, a[i][j].middle().get(), -sizes[i]); });
@@ -52,7 +52,7 @@ Matrix jacobian_over(const ReducedProblem& problem, const Box& box, slong precis
   return jacobian(TractionRepresentation(contact, box.V, box.loads, jacobian_bits));
 }
 
-/// At the middle load.
+/// Returns the conditions at the middle load.
 std::vector<Ball> conditions_at(const ReducedProblem& problem, const Box& box, const std::vector<Ball>& v, slong bits,
                                 slong precision) {
   const Unknowns at = box.V.with(v);
@@ -61,7 +61,8 @@ std::vector<Ball> conditions_at(const ReducedProblem& problem, const Box& box, c
   return conditions(TractionRepresentation(contact, at, {p, p}, bits));
 }
 
-/// As many bits of F(v) as the box needs: what they leave open, seen through C, is 2^-12 of the box. `F` has jacobian_bits.
+/// Returns the number of bits of F(v) that the box needs: the error of C F(v) is then 2^-12 of the box. `F` has
+/// jacobian_bits.
 slong bits_for(const std::vector<Ball>& V, const std::vector<Ball>& F, const Matrix& C) {
   slong bits = 24;
   for (std::size_t i = 0; i < V.size(); ++i) {
@@ -80,7 +81,7 @@ std::vector<Ball> krawczyk_image(const std::vector<Ball>& V, const std::vector<B
                                  const Ball& loads, slong precision) {
   const std::size_t n = V.size();
   const Matrix C = inverse_of_centre(derivative, precision);
-  std::vector<Ball> deviations;  // V - v, and P - p after it
+  std::vector<Ball> deviations;  // V - v, followed by P - p
   for (const Ball& x : V) deviations.push_back(x.rounded(precision) - x.rounded(precision).middle());
   deviations.push_back(loads);
   std::vector<Ball> result;

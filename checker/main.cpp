@@ -1,4 +1,4 @@
-// steadyslide-check: proves contact solutions again from their certificate, and from nothing else.
+// steadyslide-check: proves contact solutions again, only from their certificate.
 
 #include <cstdio>
 #include <ctime>
@@ -23,7 +23,7 @@ constexpr const char* usage =
     "\n"
     "Exit code: 0 if all is proved, 1 if something is not, 2 if the certificate or the command line breaks a rule.\n";
 
-double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }  // of the processor, since the start
+double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }  // CPU time since the start
 
 void prove(const Cells& cells) {
   const std::size_t intervals = prove_cells(cells);
@@ -57,7 +57,7 @@ void prove(const Certificate& certificate) {
               certificate.unique_by_theorem_1 ? ", the only one by theorem 1 of [Bal16]" : "", seconds());
 }
 
-/// Is it for the problem in that file? An empty name asks nothing.
+/// Checks if the certificate is for the problem in that file. For an empty name it does nothing.
 void compare(const Problem& problem, const std::string& file) {
   if (file.empty()) return;
   const std::string differs = problem.difference(Problem::of_file(file));

@@ -7,7 +7,7 @@
 namespace steadyslide::checker {
 namespace {
 
-/// Neighbours that are equal are one.
+/// Returns the problem with equal neighbouring pieces merged.
 Problem merged(Problem p) {
   for (std::size_t k = p.jumps.size(); k-- > 0;) {
     if (p.friction[k] != p.friction[k + 1]) continue;
@@ -15,7 +15,7 @@ Problem merged(Problem p) {
     p.jumps.erase(p.jumps.begin() + static_cast<std::ptrdiff_t>(k));
   }
   const auto alike = [](const Problem::Piece& a, const Problem::Piece& b) { return a.profile == b.profile; };
-  // unique() keeps the first of its equals: of the reversed list the one that reaches farthest.
+  // unique() keeps the first of equal pieces; in the reversed list this is the rightmost one.
   std::ranges::reverse(p.pieces);
   p.pieces.erase(std::unique(p.pieces.begin(), p.pieces.end(), alike), p.pieces.end());
   std::ranges::reverse(p.pieces);

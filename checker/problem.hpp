@@ -1,5 +1,6 @@
 #pragma once
-// The contact problem as exact data, read from a certificate or from a problem file (docs/problem-file.md), and reduced:
+// The contact problem as exact data, read from a certificate or from a problem file (docs/problem-file.md), and
+// reduced:
 //
 //   A t = g + tilt on the contact, g(xi) = psi'(x)/c, int t dxi = -P/unit, xi = (x - origin)/unit, s = +-gamma f.
 
@@ -36,22 +37,24 @@ struct Problem {
   Rational left;
   std::vector<Piece> pieces;
 
-  /// Of a certificate, for one load or for an interval of them.
+  /// Reads the problem of a certificate, for one load or for an interval of loads.
   static Problem of_certificate(const Reader& at, bool one_load);
-  /// Of a problem file; a measured trace is looked for beside it.
+  /// Reads a problem file. The path of a measured trace is relative to its folder.
   static Problem of_file(const std::string& name);
-  /// Throws Malformed where a datum breaks a rule of docs/problem-file.md.
+  /// Throws Malformed if a datum breaks a rule of docs/problem-file.md.
   void check(const std::string& place) const;
-  /// The first datum in which the problem of a file, which has one load, is not one of these; empty if it is.
+  /// Returns the first datum in which the problem of a file, which has one load, differs from these problems; empty if
+  /// none differs.
   std::string difference(const Problem& file) const;
-  /// +-gamma f for friction value k, with the sign of the sliding direction.
+  /// Returns +-gamma f for friction value k, with the sign of the sliding direction.
   Rational s(std::size_t k) const { return Rational(slides_to_plus_x ? 1 : -1) * gamma * friction[k]; }
-  /// s never decreases, the profile has no step, the attitude is fixed: one solution at most, by theorem 1 of [Bal16].
+  /// True if s never decreases, the profile has no step and the indenter cannot tilt. Then there is at most one
+  /// solution, by theorem 1 of [Bal16].
   bool theorem_1_applies() const;
 };
 
-/// Reduced and exact, but for the load. Anchors are the data's points: ends of the support, friction jumps, ends of pieces,
-/// left to right; interval k reaches from anchor k to the next one.
+/// The reduced problem, exact except for the load. Anchors are the points of the data: ends of the support, friction
+/// jumps, ends of pieces, from left to right. Interval k is between anchor k and the next one.
 struct ReducedProblem {
   ReducedProblem(const Problem& problem, Rational origin, Rational unit);
 
@@ -61,8 +64,8 @@ struct ReducedProblem {
   std::vector<Rational> anchors;      ///< in xi
   std::vector<Rational> steps;        ///< of psi/(c unit) at the anchors, right minus left; 0 at the support's ends
   std::vector<Polynomial> slopes;     ///< the different polynomials g
-  std::vector<std::size_t> slope_of;  ///< of an interval
-  std::vector<Rational> s;            ///< of an interval
+  std::vector<std::size_t> slope_of;  ///< index of the slope on an interval
+  std::vector<Rational> s;            ///< s on an interval
   std::optional<Rational> load_at;
 };
 

@@ -1,4 +1,4 @@
-// The problem file, read by this program alone: docs/problem-file.md is what it goes by.
+// The checker's own reader of problem files. It follows docs/problem-file.md.
 
 #include <algorithm>
 #include <filesystem>
@@ -104,7 +104,7 @@ class PolynomialText {
   int nesting_ = 0;
 };
 
-/// Straight lines between the points x, psi of a measured trace, one a line, cut at the ends of the support.
+/// Reads a measured trace: straight lines between the points x, psi, one point on each line, restricted to the support.
 void read_trace(const std::string& name, const std::vector<Rational>& support, Problem& p) {
   std::istringstream text(read_file(name));
   const std::regex point("(?:\xef\xbb\xbf)?\\s*([-+.0-9eE/]+)(?:\\s*[;,]\\s*|\\s+)([-+.0-9eE/]+)\\s*(?:#.*)?");
@@ -165,8 +165,8 @@ void read_indenter(const Reader& indenter, const std::string& name, Problem& p) 
   }
 }
 
-/// gamma and c of both bodies: kappa = 3 - 4 nu or (3 - nu)/(1 + nu), mu = E/(2 (1 + nu)); a rigid indenter is the limit
-/// of a large mu.
+/// Reads both bodies and computes gamma and c: kappa = 3 - 4 nu or (3 - nu)/(1 + nu), mu = E/(2 (1 + nu)). A rigid
+/// indenter is the limit of a large mu.
 void read_bodies(const Reader& file, Problem& p) {
   const Reader body = file["half_space"];
   const bool elastic = file["indenter"].has("elastic");

@@ -8,7 +8,7 @@
 namespace steadyslide::checker {
 namespace {
 
-/// One decimal number, without a fraction bar; false if it is none.
+/// Reads one decimal number, without a fraction bar. Returns false if the text is not a decimal number.
 bool read_decimal(const std::string& text, fmpq_t result) {
   static const std::regex form("([-+]?)([0-9]*)\\.?([0-9]*)(?:[eE]([-+]?[0-9]{1,3}))?");
   std::smatch part;

@@ -26,7 +26,7 @@ class Rational {
   }
   ~Rational() { fmpq_clear(value_); }
 
-  /// "2", "-0.25", "1e-3", "1/3"; `place` is what an error names.
+  /// Reads texts such as "2", "-0.25", "1e-3" and "1/3". Errors name `place`.
   static Rational parse(const std::string& text, const std::string& place);
   const fmpq* get() const { return value_; }
   int sign() const { return fmpq_sgn(value_); }
@@ -35,7 +35,7 @@ class Rational {
   friend Rational operator+(const Rational& a, const Rational& b) { return made(fmpq_add, a, b); }
   friend Rational operator-(const Rational& a, const Rational& b) { return made(fmpq_sub, a, b); }
   friend Rational operator*(const Rational& a, const Rational& b) { return made(fmpq_mul, a, b); }
-  /// b is not zero.
+  /// b must not be zero.
   friend Rational operator/(const Rational& a, const Rational& b) { return made(fmpq_div, a, b); }
   friend bool operator==(const Rational& a, const Rational& b) { return fmpq_equal(a.value_, b.value_) != 0; }
   friend std::strong_ordering operator<=>(const Rational& a, const Rational& b) {
@@ -61,7 +61,7 @@ Polynomial operator+(const Polynomial& a, const Polynomial& b);
 Polynomial operator*(const Polynomial& a, const Polynomial& b);
 inline Polynomial operator-(const Polynomial& a, const Polynomial& b) { return a + b * Polynomial{-1}; }
 Polynomial derivative(const Polynomial& p);
-/// p(scale x + shift).
+/// Returns p(scale x + shift).
 Polynomial composed(const Polynomial& p, const Rational& scale, const Rational& shift);
 Rational value(const Polynomial& p, const Rational& x);
 

@@ -1,6 +1,6 @@
 #include "checker/reader.hpp"
 
-#undef NDEBUG  // the library's assertions guard what it then promises to the optimizer
+#undef NDEBUG  // keep the library's assertions, which protect its assumptions for the optimizer
 #define TOML_HEADER_ONLY 1
 #include <toml++/toml.h>
 
@@ -61,7 +61,7 @@ Reader Reader::of_toml(const std::string& text, const std::string& name) {
   std::string ascii = text;
   int depth = 0;
   for (char& c : ascii) {
-    // The library (3.3.0) has undefined behaviour for some characters beyond ASCII; they stand in comments only.
+    // The library (3.3.0) has undefined behaviour for some non-ASCII characters. They occur in comments only.
     if (static_cast<unsigned char>(c) > 127) c = '?';
     depth += c == '[' || c == '{' ? 1 : c == ']' || c == '}' ? -1 : 0;
     if (depth > 32) throw Malformed(name, "nested too deep", "brackets nest at most 32 deep", "more");

@@ -1,5 +1,5 @@
 #pragma once
-// A document, JSON or TOML, as a tree of values, each with its place, which every error names.
+// A JSON or TOML document as a tree of values. Each value has its place, which every error names.
 
 #include <cstdint>
 #include <initializer_list>
@@ -15,22 +15,22 @@ namespace steadyslide::checker {
 
 class Reader {
  public:
-  /// No key stands twice in one object.
+  /// Reads JSON. A key must not occur twice in an object.
   static Reader of_json(const std::string& text, const std::string& name);
-  /// Numbers become strings, a float the shortest decimal that gives it back.
+  /// Reads TOML. Numbers become strings; a float becomes the shortest decimal with the same value.
   static Reader of_toml(const std::string& text, const std::string& name);
 
   bool is_null() const { return value_->is_null(); }
   bool has(const std::string& key) const { return value_->contains(key); }
-  /// An object with these keys, no others, all of the first list.
+  /// Checks that this is an object with all keys of the first list, and no keys outside both lists.
   void check_keys(std::initializer_list<const char*> required, std::initializer_list<const char*> optional = {}) const;
-  /// Of a key that check_keys has found.
+  /// Returns the value of a key that check_keys has accepted.
   Reader operator[](const std::string& key) const;
   std::vector<Reader> list() const;
   std::string string() const;
   bool boolean() const;
   std::int64_t integer(std::int64_t least, std::int64_t most) const;
-  /// Which of these strings it is.
+  /// Returns the index of the value in these strings.
   std::size_t choice(std::initializer_list<const char*> names) const;
   Rational rational() const { return Rational::parse(string(), place_); }
   std::vector<Rational> rationals() const;
@@ -41,12 +41,12 @@ class Reader {
   Reader(std::shared_ptr<const nlohmann::json> document, const nlohmann::json& value, std::string place)
       : document_(std::move(document)), value_(&value), place_(std::move(place)) {}
 
-  std::shared_ptr<const nlohmann::json> document_;  ///< which holds the value
+  std::shared_ptr<const nlohmann::json> document_;  ///< owner of the value
   const nlohmann::json* value_;
   std::string place_;
 };
 
-/// The text of a file. Throws Malformed where it cannot be read, is a directory or longer than 64 MiB.
+/// Returns the text of a file. Throws Malformed if it cannot be read, is a directory or is longer than 64 MiB.
 std::string read_file(const std::string& name);
 
 }  // namespace steadyslide::checker

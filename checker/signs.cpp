@@ -15,16 +15,17 @@ using Kind = Point::Contact;
 constexpr std::size_t most_intervals = 20000;
 constexpr int most_halvings = 400;
 
-/// max(x, 0); what is not known to be at most 0, NaN included, stays as it is.
+/// Returns 0 if x is certainly at most 0; otherwise x, also for NaN.
 Ball positive_part(const Ball& x) { return arb_is_nonpositive(x.get()) != 0 ? Ball() : x; }
 
-/// Between u and v: far below v where u is 0, else their mean, the geometric one if they are of different size.
+/// Returns a distance between u and v: far below v if u is 0; otherwise their mean, the geometric mean if they differ
+/// in size.
 Ball between(const Ball& u, const Ball& v) {
   if (u.is_zero()) return (v * Ball(0.25)).middle();
   return ((v - Ball(4) * u).is_positive() ? sqrt(u * v) : (u + v) * Ball(0.5)).middle();
 }
 
-/// A half of a segment, seen from its point `base`: places at the distance d from it.
+/// The half of a segment at its point `base`, with places at the distance d from this point.
 class HalfSegment {
  public:
   HalfSegment(const Contact& contact, std::size_t segment, bool from_left)
@@ -33,14 +34,14 @@ class HalfSegment {
   std::size_t segment() const { return segment_; }
   std::size_t base() const { return from_left_ ? segment_ : segment_ + 1; }
   Ball half() const { return length_ * Ball(0.5); }
-  /// dx/dd.
+  /// Returns dx/dd.
   Ball orientation() const { return from_left_ ? 1 : -1; }
   Place at(const Ball& d) const {
     return from_left_ ? Place{segment_, segment_ + 1, d, length_ - d} : Place{segment_, segment_ + 1, length_ - d, d};
   }
-  /// The left end of u <= d <= v.
+  /// Returns the left end of u <= d <= v.
   Place leftmost(const Ball& u, const Ball& v) const { return at(from_left_ ? u : v); }
-  /// int (g - g_k) dx over u <= d <= v.
+  /// Returns int (g - g_k) dx over u <= d <= v.
   Ball slope_difference(std::size_t k, const Ball& u, const Ball& v) const {
     return from_left_ ? checker::slope_difference(*contact_, segment_, k, u, v)
                       : checker::slope_difference(*contact_, segment_, k, length_ - v, length_ - u);
@@ -86,7 +87,7 @@ class Prover {
  private:
   const Rational& step(std::size_t j) const { return contact_.problem().steps[contact_.layout().points[j].anchor]; }
 
-  /// Where contact may not be or end, whatever the numbers are.
+  /// Refuses contact and ends of contact at anchors where they are impossible for any values of the unknowns.
   void check_anchor(std::size_t j) const {
     const Point& point = contact_.layout().points[j];
     if (point.is_free()) return;
@@ -106,13 +107,13 @@ class Prover {
       throw Unproved(sign + " is not decided near " + half.name(u));
   }
 
-  /// B_k on u <= d <= v.
+  /// Returns B_k on u <= d <= v.
   Ball values(const HalfSegment& half, std::size_t k, const Ball& u, const Ball& v) const {
     const auto interpolant = Interpolant::of(form_, form_.bits(), k, half.leftmost(u, v), v - u);
     return interpolant ? interpolant->range() : form_.regular_to(form_.bits(), k, half.at(hull(u, v))).value;
   }
 
-  /// eps B < 0 for u <= d <= v.
+  /// Checks eps B < 0 for u <= d <= v.
   void check_contact(const HalfSegment& half, const Ball& u, const Ball& v, int depth) {
     count(result_.in_contact, half, u, depth, "t < 0");
     const std::size_t k = contact_.slope_of(half.segment());
@@ -126,7 +127,7 @@ class Prover {
     check_contact(half, w, v, depth + 1);
   }
 
-  /// t < 0 for 0 < d <= d1 beside an anchor where the polynomial changes.
+  /// Checks t < 0 for 0 < d <= d1 beside an anchor where the polynomial changes.
   void check_local_form(const HalfSegment& half) {
     const std::size_t c = half.base();
     const std::size_t here = half.segment();
@@ -140,7 +141,7 @@ class Prover {
     const Ball side = half.orientation();
     const Ball eps(contact_.sign(here));
 
-    // D, or D/d where D(c) = 0.
+    // D, or D/d if D(c) = 0.
     std::vector<Ball> D = form_.difference(contact_.slope_of(c), contact_.slope_of(c - 1), anchor);
     const bool vanishes = D.at(0).is_zero();
     const Rational jump = contact_.s(c) - contact_.s(c - 1);
@@ -154,7 +155,7 @@ class Prover {
     const Ball R1 = form_.regular(k, half.at(d1)).value - amplitude(d1) * singular;
     const Ball R = eps * R1.widened(d1 * slope_of_regular_part(half, near, d1));
 
-    // The singular function phi of d in its range between 0 or infinity and phi(d1), S phi its term.
+    // The range of the singular function phi of d is from 0 or infinity to phi(d1). Its term is S phi.
     bool blows_up = jump.sign() < 0 || jump.sign() == 0;
     Ball phi = singular;
     if (vanishes) {
@@ -183,7 +184,7 @@ class Prover {
     ++result_.in_contact;
   }
 
-  /// A bound of |R'| on 0 <= d <= d1.
+  /// Returns a bound of |R'| on 0 <= d <= d1.
   Ball slope_of_regular_part(const HalfSegment& half, std::size_t near, const Ball& d1) const {
     const std::size_t c = half.base();
     const std::size_t k = contact_.slope_of(half.segment());
@@ -207,7 +208,7 @@ class Prover {
     const Ball G =
         bound_near(D, Ball(), r) * power(Ball(2).rounded(precision), powers) / contact_.modulus(half.at(Ball()), c);
     const Ball a = -contact_.power_at(c);
-    // Not finite where a jump of friction is too small for the precision.
+    // Not finite if a friction jump is too small for the precision.
     const Ball singular = a.is_zero() ? log(r).size() + pi : (pi / sin(pi * a)).size() * exp(a * log(r));
     const Ball M = turned + contact_.cosine(near) / pi * G * singular;
     const Ball others = form_.regular(k, half.at(hull(Ball(), d1)), near).slope;
@@ -215,11 +216,11 @@ class Prover {
     return others.size() + (M * r / (rest * rest)).size();
   }
 
-  /// From an end of contact in a direction.
+  /// Checks the gap from an end of contact in one direction.
   void check_gap(std::size_t origin, int direction) {
     const std::size_t end = direction > 0 ? contact_.points() - 1 : 0;
     if (origin == end) return;
-    // Where contact begins again, the other side of the gap is seen from there.
+    // If contact begins again, the other half of the gap is checked from there.
     const Kind opposite = direction > 0 ? Kind::begins : Kind::ends;
     std::size_t stop = origin;
     do stop = direction > 0 ? stop + 1 : stop - 1;
@@ -243,7 +244,7 @@ class Prover {
     }
   }
 
-  /// Carries gap_, which encloses the gap, over u <= d <= v: outwards from the base if `outwards`, else towards it.
+  /// Updates gap_, which encloses the gap, over u <= d <= v: away from the base if `outwards`, otherwise towards it.
   void grow(const HalfSegment& half, bool outwards, const Ball& u, const Ball& v, int depth) {
     count(result_.in_gaps, half, u, depth, "gap > 0");
     const std::size_t base = half.base() == origin_ ? origin_ : none;
@@ -259,15 +260,15 @@ class Prover {
                              : direction_ * horner(form_.difference(own, k_, anchor),
                                                    contact_.offset(half.segment()) + all.from_left);
     const Ball change = f * weight + direction_ * half.slope_difference(k_, u, v);
-    // Away from the origin the slope is f + h, in which the two may cancel.
+    // Away from the origin the slope is f + h, and the two terms may cancel.
     const Ball fall = base == none ? (v - u) * positive_part((-(f + h)).upper())
                                    : weight * positive_part((-f).upper()) + (v - u) * positive_part((-h).upper());
-    // From 0 the gap opens where it grows; elsewhere it stays above what it can fall to.
+    // A gap of 0 opens if it increases. Otherwise the gap minus its largest decrease must be positive.
     const bool opens = gap_.is_zero() && u.is_zero() && outwards && own == k_ && f.is_positive();
     const auto decides = [&](const Ball& gap) {
       return (opens || (gap - fall).is_positive()) && (gap + change).is_positive();
     };
-    // Each cell adds the width of its intervals. Where that is what keeps this one open, all of them are integrated anew.
+    // Each cell adds the width of its intervals. If this width prevents the decision, all cells are integrated again.
     if (!decides(gap_) && !exact_ && decides(gap_.upper())) {
       gap_ = gap_at(form_, origin_, half.at(outwards ? u : v));
       exact_ = true;
@@ -288,12 +289,12 @@ class Prover {
   const TractionRepresentation& form_;
   const Contact& contact_;
   Signs result_;
-  // Of the gap that is being followed.
+  // State of the current gap.
   std::size_t k_ = 0;
   std::size_t origin_ = 0;
   Ball direction_;
   Ball gap_;
-  bool exact_ = true;  ///< no interval has widened gap_ since it was last integrated
+  bool exact_ = true;  ///< true if no interval has widened gap_ since the last integration
 };
 
 }  // namespace

@@ -9,10 +9,10 @@ namespace steadyslide::checker {
 
 namespace {
 
-/// The remainder of sums by moments is 2^-8 of what is asked for.
+/// The remainder of sums by moments is 2^-8 of the requested error.
 constexpr slong far_guard = 8;
 
-/// To Taylor coefficients about the centre.
+/// Converts p to Taylor coefficients about the centre.
 void shift(std::vector<Ball>& p, const Ball& centre) {
   for (std::size_t i = 0; i < p.size(); ++i) {
     for (std::size_t k = p.size() - 1; k > i; --k) p[k - 1] += centre * p[k];
@@ -106,7 +106,7 @@ void TractionRepresentation::add_integrals(std::size_t i, const std::vector<bool
   const Ball half = contact_->length(i) * Ball(0.5);
   const Ball middle = contact_->xi(i) + half;
   const std::vector<Trapezoid::Node>& nodes = integral.rule.nodes();
-  std::vector<std::vector<Ball>> differences;  // of slopes, in (x - middle)/half
+  std::vector<std::vector<Ball>> differences;  // differences of slopes, in (x - middle)/half
   std::size_t longest = 0;
   for (std::size_t k = 0; k < slopes_.size(); ++k) {
     std::vector<Ball>& density = integral.densities.emplace_back();
@@ -129,7 +129,7 @@ void TractionRepresentation::add_integrals(std::size_t i, const std::vector<bool
   Bound weights;
   mag_add(weights.get(), nodes.front().behind.get(), nodes.at(integral.rule.nodes_to_right()).behind.get());
   integral.weights = Ball(weights);
-  // Moments of the weights alone serve all differences.
+  // The moments of the weights are the same for all differences.
   integral.moments.resize(g.size());
   const auto count = static_cast<std::size_t>(2 * (bits_ + far_guard));
   std::vector<Ball> of_weights(count + longest, Ball().rounded(precision));
@@ -159,7 +159,7 @@ bool TractionRepresentation::add_far_cauchy(std::size_t i, std::size_t k, const 
   const Ball half = contact_->length(i) * Ball(0.5);
   const Ball distance = near + half;
   const Ball z = half / distance;
-  // In an interval of places the nodes' own distances say more.
+  // For a wide interval of places, the nodes' own distances give better bounds.
   const bool thin = (distance - distance.radius() * Ball(0x1p20)).is_positive();
   if (!thin || !(Ball(0.7) - z).is_positive()) return false;
   const auto count = static_cast<std::size_t>(
@@ -174,7 +174,7 @@ bool TractionRepresentation::add_far_cauchy(std::size_t i, std::size_t k, const 
   }
   const Ball& M = integral.bounds[k];
   const Ball absolute = integral.weights / near.lower();
-  Ball rest = z.rounded(64);  // of the moments that are left out
+  Ball rest = z.rounded(64);  // bound of the omitted moments
   arb_pow_ui(rest.get(), rest.get(), count, 64);
   rest *= M * absolute;
   sum = sum / distance;
@@ -225,7 +225,7 @@ void TractionRepresentation::add_cauchy(std::size_t i, std::size_t k, const Plac
     mag_mul_2exp_si(negligible.get(), nodes.front().behind.get(), closeness - bits - 4);
   }
   Ball sum, slope, distance, inverse;
-  // Upper bounds: of 1/|x' - x|, of its sum and of that of its squares, and of the weights that were left out.
+  // Upper bounds of 1/|x' - x|, of its sum, of the sum of its squares, and of the omitted weights.
   Bound pole, poles, squares, left_out;
   for (std::size_t l = 0; l < nodes.size(); ++l) {
     const Trapezoid::Node& node = nodes[l];

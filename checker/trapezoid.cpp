@@ -19,7 +19,8 @@ Trapezoid::Trapezoid(Panel panel, slong bits, slong precision) : panel_(std::mov
     const Ball& exponent = factor.exponent;
     const auto add = [&](const std::vector<Ball>& side, Ball& end) {
       for (const Ball& beyond : side) {
-        // The end's own u^(c + 1) grows with c, also where c < 0; any other power counts by its size.
+        // The factor u^(c + 1) at the panel's own end contributes c + 1, also for c < 0. Any other power contributes
+        // its absolute value.
         kappa_ += beyond.is_zero() ? exponent : exponent.size();
         if (beyond.is_zero()) end += exponent;
       }
@@ -27,7 +28,7 @@ Trapezoid::Trapezoid(Panel panel, slong bits, slong precision) : panel_(std::mov
     add(factor.left, a);
     add(factor.right, b);
   }
-  // The strip that needs the fewest nodes: a wider one has a larger bound on its rim.
+  // Choose the strip that needs the fewest nodes; a wider one has a larger bound on its boundary.
   double h = 0;
   double d = 0;
   for (const double width : {1.6, 2.0, 2.4, 2.8}) {
@@ -50,7 +51,7 @@ Trapezoid::Trapezoid(Panel panel, slong bits, slong precision) : panel_(std::mov
   if (!a.is_positive() || !b.is_positive() || !panel_.length.is_positive() || !(h > 0)) {
     throw Unproved("a power that is not integrable, or a segment of no length");
   }
-  // The node at tau = k h, or the one that stands for all beyond it.
+  // Returns the node at tau = k h, or the node that represents all nodes beyond it.
   const auto node = [&](slong k, bool all_beyond) {
     const Ball t = Ball(std::fabs(static_cast<double>(k) * h)).rounded(precision);
     const Ball e = all_beyond ? hull(Ball(), exp(-t)) : exp(-t);
@@ -70,7 +71,7 @@ Trapezoid::Trapezoid(Panel panel, slong bits, slong precision) : panel_(std::mov
     return result;
   };
   Ball total;
-  // From the middle outwards, until what is unknown of the rest, and of a pole beside it, no longer counts beside the sum.
+  // Goes outwards from the middle until the unknown part of the rest, also with a pole beside it, is negligible.
   const auto march = [&](slong first, slong step, const Ball& reach) {
     const Ball wanted =
         (Ball(1) + panel_.length / reach) * Ball(std::ldexp(1.0, static_cast<int>(std::min<slong>(bits, 1000))));

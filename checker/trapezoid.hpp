@@ -1,24 +1,27 @@
 #pragma once
-// An enclosed quadrature for products of powers, by the trapezoidal rule on x = tanh(tau/2).
+// An enclosed quadrature for products of powers, by the trapezoidal rule in tau, x = tanh(tau/2).
 //
-// On a panel [a, b] of length L let w(x) = prod_j |x - e_j|^(c_j) with all e_j real and none inside; points at a and b may
-// be among them, with powers c > -1. With x = a + L/(1 + e^-tau) the distances to the ends are u = L/(1 + e^-tau),
-// v = L/(1 + e^tau), dx = (u v/L) dtau, and F(tau) = w u v/L is analytic for |Im tau| < pi: the real line outside the panel
-// is Im tau = +-pi. However close another singular point is, no panel has to be graded.
+// On a panel [a, b] of length L let w(x) = prod_j |x - e_j|^(c_j) with all e_j real and none inside. Points at a and b
+// are allowed, with powers c > -1. With x = a + L/(1 + e^-tau) the distances to the ends are u = L/(1 + e^-tau),
+// v = L/(1 + e^tau), dx = (u v/L) dtau, and F(tau) = w u v/L is analytic for |Im tau| < pi: the real line outside the
+// panel is Im tau = +-pi. So panels need no grading, even if another singular point is very close.
 //
 // For |Im tau| <= d < pi and rho >= 0 one has cos(d/2) (1 + rho) <= |1 + rho e^(i phi)| <= 1 + rho, |phi| <= d. So
-// |u|, |v| and all |x - e_j| are those at t = Re tau up to the factor sec(d/2): between 1 and sec(d/2) times for u and v,
-// between cos(d/2) and sec(d/2) times for |x - e_j|. Hence
+// |u|, |v| and all |x - e_j| are those at t = Re tau up to the factor sec(d/2): between 1 and sec(d/2) times for u and
+// v, between cos(d/2) and sec(d/2) times for |x - e_j|. Hence
 //   |F(t + i y)| <= sec(d/2)^kappa F(t),  kappa = sum |c_j| + 2 (c + 1 for a power at an end),
-// and the trapezoidal rule with step h, |int F - h sum F(k h)| <= int |F(t+id)| + |F(t-id)| dt/(e^(2 pi d/h) - 1), errs by
+// and the trapezoidal rule with step h, |int F - h sum F(k h)| <= int |F(t+id)| + |F(t-id)| dt/(e^(2 pi d/h) - 1), errs
+// by
 //   2 sec(d/2)^kappa/(e^(2 pi d/h) - 1) int F:
-// a relative error, known before a single node is. A factor f of F analytic in the strip, |f| <= M there, gives an
-// error of at most 2 sec^kappa M/(e^(2 pi d/h) - 1) int F; one like 1/(x - x0), x0 real and outside, one more power of sec.
+// a relative error that is known before any node is computed. An analytic factor f of F with |f| <= M in the strip
+// gives an error of at most 2 sec^kappa M/(e^(2 pi d/h) - 1) int F. A factor like 1/(x - x0), x0 real and outside,
+// gives one more power of sec.
 //
-// Beyond the node at distance u_N from an end with the power c the nodes have u_k^(c+1) = (L/(1 + e_k))^(c+1) e_k^(c+1), e_k =
-// e^-|tau_k|: the sum of e_k^(c+1) is geometric, and what multiplies it runs over its range for 0 <= e <= e_N. So one more node
-// with u = [0, u_N] and that sum as its weight stands for all of them, and the sum of the rule is enclosed to its end. It
-// is short where u_N is small beside the distances to all other points, however slowly the powers fall.
+// Beyond the node at distance u_N from an end with the power c the nodes have u_k^(c+1) = (L/(1 + e_k))^(c+1)
+// e_k^(c+1), e_k = e^-|tau_k|: the sum of e_k^(c+1) is geometric, and its factor lies in the range for 0 <= e <= e_N.
+// So one more node with u = [0, u_N] and that sum as its weight represents all of them, and the sum of the rule is
+// enclosed up to its end. The sum is short if u_N is small compared with the distances to all other points, even if the
+// powers decrease slowly.
 
 #include <array>
 #include <vector>
@@ -29,7 +32,7 @@ namespace steadyslide::checker {
 
 class Trapezoid {
  public:
-  /// A power of the distances to points: how far they lie beyond a or b, 0 for a or b itself.
+  /// A power of the distances to points, which are given by their distance beyond a or b; 0 for a or b itself.
   struct Factor {
     Ball exponent;
     std::vector<Ball> left;
@@ -38,33 +41,34 @@ class Trapezoid {
   struct Panel {
     Ball length;
     std::vector<Factor> factors;
-    /// Poles 1/(x - x0) will be asked for down to these distances from the panel, > 0: nodes go on accordingly.
+    /// Poles 1/(x - x0) may be as close as these distances > 0 to the panel. They determine the range of the nodes.
     Ball left_reach;
     Ball right_reach;
-    std::size_t degree = 0;  ///< of polynomials that will be asked for
+    std::size_t degree = 0;  ///< largest degree of polynomial factors
   };
   struct Node {
     Ball u;  ///< from a
     Ball v;  ///< from b
     Ball weight;
-    Bound above;   ///< of the weight
-    Bound behind;  ///< of the weights from this node on outwards
+    Bound above;   ///< bound of the weight
+    Bound behind;  ///< bound of the sum of weights from this node outwards
   };
 
-  /// Relative errors of about 2^-bits.
+  /// Makes a rule with relative errors of about 2^-bits.
   Trapezoid(Panel panel, slong bits, slong precision);
 
   const Panel& panel() const { return panel_; }
-  /// From the middle to b, then from the middle to a; each time the last one stands for all beyond.
+  /// Returns the nodes from the middle to b, then from the middle to a. Each time the last node represents all nodes
+  /// beyond.
   const std::vector<Node>& nodes() const { return nodes_; }
   std::size_t nodes_to_right() const { return nodes_to_right_; }
   const Ball& secant() const { return secant_; }  ///< sec(d/2)
   const Ball& kappa() const { return kappa_; }
-  /// 2 sec(d/2)^(kappa + more)/(e^(2 pi d/h) - 1), at most 1/2.
+  /// Returns 2 sec(d/2)^(kappa + more)/(e^(2 pi d/h) - 1), at most 1/2.
   const Ball& relative_error(int more) const { return relative_errors_.at(static_cast<std::size_t>(more)); }
-  /// An upper bound of int w f for f > 0 of the kind 1/|x - x0|^more, more <= 2, from its sum.
+  /// Returns an upper bound of int w f from its sum, for f > 0 of the form 1/|x - x0|^more, more <= 2.
   static Ball integral_bound(const Ball& sum) { return Ball(2) * sum.size(); }
-  /// The error of the rule for w f: f as above times an analytic factor of size M in the strip.
+  /// Returns the error of the rule for w f, where f is as above times an analytic factor of size M in the strip.
   Ball error(int more, const Ball& M, const Ball& sum) const {
     return M.size() * relative_error(more) * integral_bound(sum);
   }

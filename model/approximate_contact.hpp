@@ -1,5 +1,5 @@
 #pragma once
-// Where a solver found contact, as plain exact numbers in the user's x: what it hands to whoever proves or compares.
+// The contact that a solver found, as exact numbers in the user's x. A proof or a comparison starts from it.
 
 #include <optional>
 #include <vector>
@@ -8,23 +8,24 @@
 
 namespace steadyslide {
 
-/// The points of the surface at which contact begins or ends, left to right, in turns.
+/// The points of the surface at which contact begins or ends, from left to right: begin, end, begin, end.
 struct ApproximateContact {
   struct End {
     /// A place of the data: an end of the support, a jump of the friction, a break of the profile.
     Rational anchor;
-    /// The end lies there exactly, or on this side of it.
+    /// The side of the anchor on which the end lies; absent if it lies at the anchor exactly.
     std::optional<Side> beside = {};
-    /// How far, > 0: ends close to each other or to an anchor keep their distances.
+    /// The distance from the anchor, > 0. It is stored as such, so that no digits are lost where ends are close to each
+    /// other or to an anchor.
     Rational offset = 0;
-    /// Does the traction vanish there? It blows up at an edge.
+    /// True if the traction vanishes there. It blows up at an edge.
     bool vanishes = false;
     friend bool operator==(const End&, const End&) = default;
   };
-  /// None where a method knows them no better than to a cell.
+  /// Empty if the method locates the ends to a cell only.
   std::vector<End> ends;
 
-  /// A free end at x, beside the nearest place of the data. `x` lies strictly between two of them.
+  /// Returns a free end at x. Its anchor is the nearest place of the data; `x` lies strictly between two such places.
   static End free_end(const ContactProblem& problem, const Rational& x);
 };
 

@@ -26,15 +26,15 @@ class ContactProblem {
   /// P > 0, force per unit thickness.
   const Rational& load() const { return load_; }
   Sliding sliding() const { return sliding_; }
-  /// Where the load acts if the indenter may tilt; absent if it keeps its attitude.
+  /// The place where the load acts if the indenter may tilt; absent if the indenter cannot rotate.
   const std::optional<Rational>& load_at() const { return load_at_; }
 
   /// s = +-gamma f on friction piece k, signed by the direction of sliding.
   Rational coupled_friction(std::size_t piece) const;
-  /// t_t/t = -+f on friction piece k: the body is dragged along, towards the side to which the indenter slides.
+  /// t_t/t = -+f on friction piece k. The indenter drags the body in the direction in which it slides.
   Rational shear_ratio(std::size_t piece) const;
 
-  /// Where u = 0 by convention: x = 0, or the support's left end if it lies elsewhere.
+  /// The place where u = 0 by convention: x = 0, or the support's left end if x = 0 lies outside the support.
   Rational origin_of_displacement() const;
 
   /// A part of the support on which the friction has one value and the profile is one polynomial.
@@ -47,17 +47,17 @@ class ContactProblem {
   /// The support between its ends, the friction's jumps and the profile's breaks, left to right.
   std::vector<Piece> pieces() const;
 
-  /// The problem with another load, friction, indenter or direction, all else kept. They throw as the constructor does.
+  /// Each returns a copy of the problem with one datum replaced. Each throws as the constructor does.
   ContactProblem with_load(Rational load) const;
   ContactProblem with_friction(FrictionProfile friction) const;
   ContactProblem with_indenter(Indenter indenter) const;
   ContactProblem with_sliding(Sliding sliding) const;
-  /// A further jump at c: f larger by `height` between c and the next jump.
+  /// Returns the problem with one more jump at c: f is larger by `height` between c and the next jump.
   ContactProblem with_jump(const Rational& c, const Rational& height) const;
-  /// The same heights and the same load in the coordinate y = scale x + shift, scale != 0. A negative scale mirrors,
-  /// and turns the direction of sliding.
+  /// Returns the problem with the same heights and the same load in the coordinate y = scale x + shift, scale != 0. A
+  /// negative scale mirrors the problem and reverses the direction of sliding.
   ContactProblem moved(const Rational& scale, const Rational& shift) const;
-  /// x -> -x: the same bodies seen from behind the page.
+  /// Returns the mirror image, x -> -x: the same bodies seen from the other side of the plane of the drawing.
   ContactProblem mirrored() const { return moved(-1, 0); }
   friend bool operator==(const ContactProblem&, const ContactProblem&) = default;
 

@@ -17,7 +17,7 @@ int ContactTopology::degree_at_infinity() const {
 }
 
 std::string ContactTopology::fault(const ReducedProblem& problem) const {
-  std::size_t next = 0;  // the anchor that has not been met yet
+  std::size_t next = 0;  // the next anchor that must occur
   bool contact = false;
   bool any = false;
   for (std::size_t j = 0; j < points.size(); ++j) {
@@ -41,7 +41,7 @@ std::string ContactTopology::fault(const ReducedProblem& problem) const {
     contact = !contact;
     any = true;
     if (!point.beside && !point.vanishes && point.anchor != 0 && point.anchor + 1 != problem.anchors.size()) {
-      // At a step contact lies on the side that protrudes: the lower one.
+      // At a step, contact is on the side that protrudes, which is the lower one.
       const int step = sign(problem.anchors[point.anchor].step);
       if (step == 0) return "an edge is neither at the support's end nor at a step";
       if ((step > 0) != (point.kind == Kind::ends)) return "contact at a step lies on the receding side";

@@ -20,12 +20,12 @@ template <class Number>
 struct ContactComponentOf {
   ContactEndOf<Number> left;
   ContactEndOf<Number> right;
-  Number width;  ///< from end to end, better than the difference of their x
+  Number width;  ///< from end to end; more accurate than the difference of their x
 };
 
-/// K in p ~ K (2 pi d)^lambda on each side of a point (p ~ constant + K (2 pi d)^lambda with a wedge), a force per
-/// length^(2 + lambda); at lambda = -1/2 fracture mechanics' intensity factor. Absent without contact on that side, and for
-/// a logarithm.
+/// K in p ~ K (2 pi d)^lambda on each side of a point; with a wedge, p ~ constant + K (2 pi d)^lambda. Its unit is
+/// force per length^(2 + lambda). At lambda = -1/2 it is the intensity factor of fracture mechanics. It is absent if
+/// there is no contact on that side, and for a logarithm.
 template <class Number>
 struct StressIntensityOf {
   std::optional<Number> left;
@@ -43,7 +43,7 @@ struct SingularPointOf {
   StressIntensityOf<Number> stress_intensity;
 };
 
-/// The limits from both sides; equal where the function is continuous; infinite where it blows up.
+/// The limits from both sides. They are equal where the function is continuous and infinite where it blows up.
 template <class Number>
 struct TwoSidedOf {
   Number left;

@@ -1,5 +1,5 @@
 #pragma once
-// The elastic half-space, with the elastic indenter where there is one, as the two constants that the surface sees.
+// The elastic half-space, and the elastic indenter if there is one. The surface depends on two constants of them.
 //
 //   compliance c:  u = c u_bar, in the user's units;           rigid indenter, plane strain: c = 2 (1 - nu^2) / E
 //   coupling gamma: A t = (1/pi) PV int t/(x'-x) dx' + gamma f t;   plane strain: gamma = (1-2nu) / (2 (1-nu))
@@ -44,9 +44,9 @@ class Elasticity {
   const Rational& gamma() const { return gamma_; }
   const Rational& compliance() const { return compliance_; }
   Plane plane() const { return plane_; }
-  /// Absent for reduced data.
+  /// Returns the half-space; absent for reduced data.
   const std::optional<Solid>& half_space() const { return half_space_; }
-  /// Absent for a rigid indenter.
+  /// Returns the indenter; absent for a rigid indenter.
   const std::optional<Solid>& indenter() const { return indenter_; }
   friend bool operator==(const Elasticity&, const Elasticity&) = default;
 

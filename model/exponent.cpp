@@ -8,8 +8,8 @@
 namespace steadyslide {
 namespace {
 
-/// A nonzero Gaussian integer x + iy times i^quarter_turns, with -x < y <= x: its argument is
-/// quarter_turns * pi/2 + arctan(y/x), and the second part lies in ]-pi/4, pi/4].
+/// A nonzero Gaussian integer x + iy times i^quarter_turns, with -x < y <= x. Its argument is
+/// quarter_turns * pi/2 + arctan(y/x); the second term lies in ]-pi/4, pi/4].
 struct Argument {
   Integer quarter_turns = 0;
   Integer x = 1;
@@ -20,7 +20,7 @@ struct Argument {
     const Integer new_x = x * a - y * b;
     y = x * b + y * a;
     x = new_x;
-    // The sum lies in ]-3pi/4, 3pi/4[: one quarter turn at most brings it back.
+    // The sum lies in ]-3pi/4, 3pi/4[, so at most one quarter turn brings it back.
     if (y > x) {
       const Integer turned = -x;
       x = y;
@@ -35,7 +35,7 @@ struct Argument {
   }
 };
 
-/// a + b, refused where the products of reduced() would grow out of reach.
+/// Returns a + b. Throws InvalidData if the sum exceeds `max_times`: the products in reduced() would become too large.
 int added(int a, int b) {
   const long long sum = static_cast<long long>(a) + b;
   if (std::abs(sum) > Exponent::max_times) {

@@ -1,6 +1,6 @@
 #pragma once
 // The power of the distance to a singular point in the normal traction: offset + sum of times * arctan(slope) / pi,
-// with a rational offset (a multiple of 1/4) and rational slopes s = gamma f. Exact: it has no precision.
+// with a rational offset (a multiple of 1/4) and rational slopes s = gamma f. It is exact and has no precision.
 
 #include <string>
 #include <vector>
@@ -11,13 +11,13 @@ namespace steadyslide {
 
 class Exponent {
  public:
-  /// One term times * arctan(slope) / pi. Kept with slope > 0 and times != 0.
+  /// One term times * arctan(slope) / pi. Stored with slope > 0 and times != 0.
   struct Angle {
     int times;
     Rational slope;
   };
 
-  /// Sums throw InvalidData where an angle would be counted more often, either way.
+  /// The largest |times|. A sum that would exceed it throws InvalidData.
   static constexpr int max_times = 10000;
 
   /// The same number as halves/2 + arctan(slope)/pi with -1 < slope <= 1: unique, and free of cancellation.
@@ -27,7 +27,7 @@ class Exponent {
     friend bool operator==(const Reduced&, const Reduced&) = default;
   };
 
-  /// A plain number. Throws InvalidData unless 4 * offset is an integer.
+  /// A number without angles. Throws InvalidData unless 4 * offset is an integer.
   explicit Exponent(const Rational& offset = 0);
 
   /// alpha = arctan(slope)/pi, the angle of the friction s = slope [Bal16, (4)].
@@ -36,9 +36,9 @@ class Exponent {
   const Rational& offset() const { return offset_; }
   const std::vector<Angle>& angles() const { return angles_; }
 
-  /// Decided for any slopes by multiplying Gaussian integers, whose argument is followed through its quadrants.
+  /// Exact for any slopes: multiplies Gaussian integers and counts the quadrants of the product's argument.
   Reduced reduced() const;
-  /// -1, 0 or +1, exactly.
+  /// Returns the exact sign: -1, 0 or +1.
   int sign() const;
 
   Exponent& operator+=(const Exponent& other);
@@ -46,7 +46,7 @@ class Exponent {
   Exponent operator-() const;
   friend Exponent operator+(Exponent a, const Exponent& b) { return a += b; }
   friend Exponent operator-(Exponent a, const Exponent& b) { return a -= b; }
-  /// Equal as numbers, however they are written: arctan(1/2) + arctan(1/3) equals pi/4.
+  /// Compares the numbers, not how they are written: arctan(1/2) + arctan(1/3) equals pi/4.
   friend bool operator==(const Exponent& a, const Exponent& b) { return (a - b).sign() == 0; }
 
  private:

@@ -10,19 +10,21 @@ namespace steadyslide {
 
 class FrictionProfile {
  public:
-  /// values f_0..f_m >= 0 and jumps c_1 < ... < c_m; a jump of height zero is legal. Throws InvalidData.
+  /// Takes values f_0..f_m >= 0 and jumps c_1 < ... < c_m; a jump of height zero is allowed. Throws InvalidData
+  /// otherwise.
   explicit FrictionProfile(std::vector<Rational> values, std::vector<Rational> jumps = {});
 
   const std::vector<Rational>& values() const { return values_; }
   const std::vector<Rational>& jumps() const { return jumps_; }
-  /// f at x; at a jump, the limit from that side.
+  /// Returns f at x; at a jump, the limit from that side.
   const Rational& at(const Rational& x, Side side) const { return values_[piece(x, side)]; }
-  /// The index of the piece that contains x; at a jump, the piece on that side.
+  /// Returns the index of the piece that contains x; at a jump, of the piece on that side.
   std::size_t piece(const Rational& x, Side side) const;
 
-  /// In the coordinate y = scale x + shift, scale != 0: a negative scale puts what was right to the left.
+  /// Returns the profile in the coordinate y = scale x + shift, scale != 0. A negative scale exchanges left and right.
   FrictionProfile moved(const Rational& scale, const Rational& shift) const;
-  /// A further jump at c: f larger by `height` between c and the next jump. Throws InvalidData where there is one at c.
+  /// Returns the profile with one more jump at c: f is larger by `height` between c and the next jump. Throws
+  /// InvalidData if there is already a jump at c.
   FrictionProfile with_jump(const Rational& c, const Rational& height) const;
   friend bool operator==(const FrictionProfile&, const FrictionProfile&) = default;
 

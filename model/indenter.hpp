@@ -1,6 +1,6 @@
 #pragma once
-// The indenter's shape psi(x) on its support, upwards = away from the body: -z = psi(x). Piecewise polynomial; where
-// two pieces meet the slope may jump (a wedge) and the value may jump (a step). [Bal16, section 2]
+// The indenter's shape psi(x) on its support, positive upwards, away from the body: -z = psi(x). It is piecewise
+// polynomial. Where two pieces meet, the slope may jump (a wedge) and the value may jump (a step). [Bal16, section 2]
 
 #include <vector>
 
@@ -24,20 +24,22 @@ class Indenter {
   const Rational& left() const { return left_; }
   const Rational& right() const { return pieces_.back().to; }
   const std::vector<Piece>& pieces() const { return pieces_; }
-  /// psi around x as one polynomial; where pieces meet, that on the side. Beyond the support, that of its last piece.
+  /// Returns psi around x as one polynomial. Where two pieces meet, `side` selects one. Beyond the support it is the
+  /// polynomial of the first or the last piece.
   const Polynomial& profile(const Rational& x, Side side) const;
 
-  /// What happens where piece k meets piece k + 1: value and slope on the right minus those on the left.
+  /// The jumps of value and slope where piece k meets piece k + 1: right minus left.
   struct Break {
     Rational x;
     Rational step;
     Rational wedge;
   };
   std::vector<Break> breaks() const;
-  /// Neither wedge nor step.
+  /// True if the profile has neither a wedge nor a step.
   bool is_smooth() const;
 
-  /// The same heights in the coordinate y = scale x + shift, scale != 0: a negative scale mirrors.
+  /// Returns the indenter with the same heights in the coordinate y = scale x + shift, scale != 0. A negative scale
+  /// mirrors it.
   Indenter moved(const Rational& scale, const Rational& shift) const;
   /// psi times `factor`.
   Indenter scaled(const Rational& factor) const;

@@ -1,5 +1,5 @@
 #pragma once
-// Broken precondition of exact data: thrown by the constructors of the model, so that invalid data cannot exist.
+// The exception for invalid data. Constructors of the model throw it, so that no object with invalid data can exist.
 
 #include <stdexcept>
 #include <string>
@@ -7,12 +7,12 @@
 
 namespace steadyslide {
 
-/// Says which datum is wrong, which rule it breaks, and its value.
-/// `field` names the datum the way a problem file does ("friction.jumps[1]"), so that a reader can find its line.
-/// Exported, whatever is hidden: programs catch what the shared library throws.
+/// The message contains the wrong datum, the rule that it breaks, and its value.
+/// `field` names the datum as a problem file does ("friction.jumps[1]"), so that a reader can find its line. Always
+/// exported from the shared library, because programs catch it.
 class __attribute__((visibility("default"))) InvalidData : public std::invalid_argument {
  public:
-  /// Data of a file or of a caller, in the words that say which.
+  /// Takes a complete message that names the datum.
   explicit InvalidData(const std::string& complaint) : std::invalid_argument(complaint) {}
   InvalidData(std::string field, const std::string& problem, const std::string& rule, const std::string& value)
       : std::invalid_argument(problem + "; " + rule + "; " + value), field_(std::move(field)) {}

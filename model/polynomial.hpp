@@ -10,19 +10,19 @@ namespace steadyslide {
 class Polynomial {
  public:
   Polynomial() = default;
-  /// Coefficients of 1, x, x^2, ...; zeros at the top are dropped.
+  /// Takes the coefficients of 1, x, x^2, ...; leading zeros are dropped.
   explicit Polynomial(std::vector<Rational> coefficients);
   static Polynomial constant(const Rational& value) { return Polynomial({value}); }
 
-  /// -1 for the zero polynomial.
+  /// Returns the degree; -1 for the zero polynomial.
   int degree() const { return static_cast<int>(coefficients_.size()) - 1; }
   const std::vector<Rational>& coefficients() const { return coefficients_; }
-  /// The coefficient of x^k, zero beyond the degree.
+  /// Returns the coefficient of x^k; zero beyond the degree.
   Rational coefficient(std::size_t k) const { return k < coefficients_.size() ? coefficients_[k] : Rational(0); }
 
   Rational operator()(const Rational& x) const;
   Polynomial derivative() const;
-  /// p(a x + b).
+  /// Returns p(a x + b).
   Polynomial composed(const Rational& a, const Rational& b) const;
 
   friend Polynomial operator+(const Polynomial& a, const Polynomial& b);
@@ -34,7 +34,7 @@ class Polynomial {
   std::vector<Rational> coefficients_;
 };
 
-/// "1/2*x^2 - x", readable back by the problem file's grammar.
+/// Returns text such as "1/2*x^2 - x", which the reader of problem files accepts.
 std::string to_string(const Polynomial& polynomial);
 
 }  // namespace steadyslide

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view number_rule = "a number is written like 2, -0.25, 1e-3 or 1/3";
 
-/// The text as it may be shown in one line of an error message.
+/// Returns the text in quotes, shortened and without control characters, for one line of an error message.
 std::string excerpt(std::string_view text) {
   std::string shown;
   for (const char c : text.substr(0, 40)) shown += std::isprint(static_cast<unsigned char>(c)) != 0 ? c : '?';
@@ -25,7 +25,7 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 Integer power_of_ten(unsigned exponent) { return boost::multiprecision::pow(Integer(10), exponent); }
 
-/// One decimal number; `whole` is the text of which it is a part, for the message.
+/// Reads one decimal number. `whole` is the complete text that contains it; the error message shows that.
 Rational parse_decimal(std::string_view text, std::string_view whole) {
   std::size_t i = 0;
   bool negative = false;
@@ -53,7 +53,7 @@ Rational parse_decimal(std::string_view text, std::string_view whole) {
   }
   if (i != text.size()) not_a_number(whole);
 
-  // GMP reads a leading zero as the octal prefix.
+  // GMP would read a leading zero as an octal prefix.
   digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1));
   Integer mantissa(digits);
   if (negative) mantissa = -mantissa;

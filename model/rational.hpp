@@ -11,7 +11,7 @@
 
 namespace steadyslide {
 
-#ifdef STEADYSLIDE_DOUBLE_ONLY  // a build for where there is no GMP (explorer/CMakeLists.txt)
+#ifdef STEADYSLIDE_DOUBLE_ONLY  // a build without GMP (explorer/CMakeLists.txt)
 using IntegerBackend = boost::multiprecision::cpp_int_backend<>;
 using RationalBackend = boost::multiprecision::cpp_rational_backend;
 #else
@@ -21,15 +21,15 @@ using RationalBackend = boost::multiprecision::gmp_rational;
 using Integer = boost::multiprecision::number<IntegerBackend, boost::multiprecision::et_off>;
 using Rational = boost::multiprecision::number<RationalBackend, boost::multiprecision::et_off>;
 
-/// Limits of a written number: they keep every later exact computation within reach.
+/// Limits of a written number. They keep the cost of later exact computations bounded.
 inline constexpr std::size_t max_number_length = 400;
 inline constexpr int max_decimal_exponent = 400;
 
 /// Reads `[+-]digits[.digits][e[+-]digits]`, or a quotient of two such numbers, exactly.
-/// Throws InvalidData (field empty) when the text is no number, is too long, or divides by zero.
+/// Throws InvalidData with an empty field if the text is not a number, is too long, or divides by zero.
 Rational parse_rational(std::string_view text);
 
-/// The exact value: a decimal where it ends and stays short ("-0.25"), else a fraction ("1/3").
+/// Returns the exact value: a decimal number if it is finite and short ("-0.25"), otherwise a fraction ("1/3").
 std::string to_string(const Rational& value);
 
 inline int sign(const Rational& value) { return value.sign(); }

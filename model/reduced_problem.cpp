@@ -11,7 +11,7 @@ ReducedProblem::ReducedProblem(const ContactProblem& problem, const Frame& frame
   const auto reduced = [&](const Rational& x) -> Rational { return (x - frame.origin) / frame.unit; };
   const Rational c = problem.elasticity().compliance();
 
-  // Pieces that continue one polynomial have one slope.
+  // Pieces with the same polynomial share one slope.
   const auto is_before = [](const Polynomial& a, const Polynomial& b) { return a.coefficients() < b.coefficients(); };
   std::map<Polynomial, std::size_t, decltype(is_before)> known(is_before);
   std::vector<std::size_t> slope_of_profile;

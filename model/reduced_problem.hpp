@@ -13,7 +13,7 @@
 
 namespace steadyslide {
 
-/// Coordinates xi = (x - origin)/unit. Dilation leaves A, t and g as they are.
+/// The coordinates xi = (x - origin)/unit. A, t and g do not change when x is scaled.
 struct Frame {
   Rational origin;
   Rational unit;  ///< > 0
@@ -21,17 +21,18 @@ struct Frame {
 
 struct ReducedProblem {
   ReducedProblem(const ContactProblem& problem, const Frame& frame);
-  /// The same for every load from `from` to `to`, in the user's unit. Throws InvalidData unless 0 < from <= to.
+  /// Returns the reduced problem for all loads from `from` to `to`, in the user's unit. Throws InvalidData unless
+  /// 0 < from <= to.
   ReducedProblem for_loads(const Rational& from, const Rational& to) const;
 
   struct Anchor {
     Rational x;          ///< xi
     Rational step = 0;   ///< height on the right minus height on the left; 0 at the ends of the support
-    Rational wedge = 0;  ///< g on the right minus g on the left; 0 there, too
+    Rational wedge = 0;  ///< g on the right minus g on the left; 0 there too
   };
   struct Interval {
-    std::size_t slope;     ///< which of the slopes
-    std::size_t friction;  ///< which value of the friction
+    std::size_t slope;     ///< index into `slopes`
+    std::size_t friction;  ///< index of the friction value
     Rational s;            ///< +-gamma f
   };
 
@@ -42,8 +43,8 @@ struct ReducedProblem {
   std::vector<Anchor> anchors;
   std::vector<Interval> intervals;
   std::vector<Polynomial> slopes;   ///< g: the different polynomials, in the order of their first interval
-  Rational load;                    ///< in the middle, if there are several ...
-  Rational load_radius = 0;         ///< ... as far from it as this
+  Rational load;                    ///< the midpoint, if there is an interval of loads
+  Rational load_radius = 0;         ///< half the length of that interval
   std::optional<Rational> load_at;  ///< where the load acts, if the indenter may tilt
 };
 

@@ -20,7 +20,7 @@ static_assert(std::is_sorted(all_local_terms.begin(), all_local_terms.end(),
                              [](const LocalTerms& a, const LocalTerms& b) { return a.kind < b.kind; }));
 
 void add_ends(const ContactProblem& problem, const Rational& x, End end, std::vector<SingularPoint>& points) {
-  // At the left end of the contact, the contact is on the right.
+  // At the left end of contact, the contact is on the right.
   const Side inside = opposite(end);
   const ContactSide contact = inside == Side::left ? ContactSide::left : ContactSide::right;
   const std::size_t piece = problem.friction().piece(x, inside);
@@ -32,7 +32,7 @@ void add_ends(const ContactProblem& problem, const Rational& x, End end, std::ve
   points.push_back({x, SingularKind::free, contact, friction, free_exponent(end, s)});
 }
 
-/// Where the friction pieces `left` and `right` meet.
+/// Adds the point where the friction pieces `left` and `right` meet, if something jumps there.
 void add_interior(const ContactProblem& problem, std::size_t left, std::size_t right, const Indenter::Break& at,
                   std::vector<SingularPoint>& points) {
   const Rational& x = at.x;

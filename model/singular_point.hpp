@@ -1,5 +1,6 @@
 #pragma once
-// Where the normal traction can be singular, and with which power of the distance. [Bal16, theorems 2 and 3]
+// The places where the normal traction can be singular, and the power of the distance at each. [Bal16, theorems 2 and
+// 3]
 //
 // Powers are taken with the friction on the contact side, s = +-gamma f, alpha = arctan(s)/pi:
 //   left end of contact:   edge -(1/2 + alpha), free  1/2 - alpha
@@ -17,7 +18,8 @@ namespace steadyslide {
 
 Exponent edge_exponent(End end, const Rational& s);
 Exponent free_exponent(End end, const Rational& s);
-/// beta [Bal16, (7)]: negative, a blow-up, where s increases to the right; zero where it does not change.
+/// Returns beta [Bal16, (7)]. It is negative (the traction blows up) where s increases to the right, and zero where s
+/// does not change.
 Exponent jump_exponent(const Rational& s_left, const Rational& s_right);
 
 enum class SingularKind { edge, free, step, friction_jump, wedge, wedge_and_jump };
@@ -26,32 +28,32 @@ enum class SingularKind { edge, free, step, friction_jump, wedge, wedge_and_jump
 struct LocalTerms {
   SingularKind kind;
   std::string_view name;  ///< in the interface and in files
-  bool is_end;            ///< contact ends there; otherwise there is contact on both sides, and
-  bool friction_jumps;    ///< the friction changes,
-  bool slope_jumps;       ///< the slope of the profile changes
-  bool has_power;         ///< the traction has a power of the distance,
-  bool has_logarithm;     ///< a logarithm of it,
-  bool has_constant;      ///< a constant beside that
+  bool is_end;            ///< contact ends there; otherwise there is contact on both sides
+  bool friction_jumps;    ///< the friction changes there
+  bool slope_jumps;       ///< the slope of the profile changes there
+  bool has_power;         ///< the traction has a power of the distance
+  bool has_logarithm;     ///< the traction has a logarithm of the distance
+  bool has_constant;      ///< the traction has a constant besides
 };
 const LocalTerms& local_terms(SingularKind kind);
 inline std::string_view name_of(SingularKind kind) { return local_terms(kind).name; }
-/// The kind of a point inside the contact by what jumps there; absent if nothing does.
+/// Returns the kind of a point inside the contact on the basis of what jumps there; absent if nothing does.
 std::optional<SingularKind> inner_kind(bool friction_jumps, bool slope_jumps);
 
 enum class ContactSide { left, right, both };
 std::string_view name_of(ContactSide side);
 
 struct SingularPoint {
-  std::optional<Rational> x;  ///< absent: anywhere under the friction value given
+  std::optional<Rational> x;  ///< absent: anywhere under the given friction value
   SingularKind kind;
   ContactSide contact;               ///< the side of x on which there is contact
   std::vector<Rational> friction;    ///< f on the contact side, or left and right of x
   std::optional<Exponent> exponent;  ///< absent: logarithm
 };
 
-/// Every place where the traction can be singular for these data, whatever the contact zone turns out to be: left to
-/// right, then the free ends that can lie anywhere. Places where nothing jumps (height zero) are left out, and so are
-/// the edges of an elastic indenter.
+/// Returns every place where the traction can be singular for these data, for any contact zone: from left to right,
+/// then the free ends that can lie anywhere. Places where nothing jumps (height zero) and the edges of an elastic
+/// indenter are left out.
 std::vector<SingularPoint> possible_singular_points(const ContactProblem& problem);
 
 }  // namespace steadyslide

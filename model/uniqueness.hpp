@@ -1,5 +1,5 @@
 #pragma once
-// Is the solution known to be the only one? [Bal16, theorem 1 and theorem 8]
+// Uniqueness of the solution, as far as it is proved. [Bal16, theorem 1 and theorem 8]
 
 #include <string>
 
@@ -12,9 +12,10 @@ struct Uniqueness {
   std::string reason;
 };
 
-/// Proved where s = +-gamma f nowhere decreases towards +x: the energy of [Bal16, section 4] is then positive. That is
-/// "gamma f nondecreasing from rear to front" whichever way the indenter slides. Not covered otherwise, nor where the
-/// indenter may tilt or its profile has a step: the theorem's profiles are Lipschitz-continuous.
+/// Uniqueness is proved if s = +-gamma f nowhere decreases towards +x: then the energy of [Bal16, section 4] is
+/// positive. For both directions of sliding this is "gamma f nondecreasing from rear to front". It is not proved
+/// otherwise, and not if the indenter may tilt or its profile has a step: the profiles of the theorem are
+/// Lipschitz-continuous.
 Uniqueness uniqueness(const ContactProblem& problem);
 
 }  // namespace steadyslide

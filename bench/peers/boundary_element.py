@@ -26,7 +26,7 @@ class Contact:
         self.x = LEFT + self.h * (np.arange(cells) + 0.5)
         self.compliance = 2 * (1 - POISSON**2) / YOUNG
         self.coupling = (1 - 2 * POISSON) / (2 * (1 - POISSON))
-        # -int log|x| dx / pi over a cell at every distance, circulant on twice the cells.
+        # The kernel -int log|x| dx / pi over a cell at every distance, as a circulant on twice the cells.
         d = np.concatenate([np.arange(cells + 1), np.arange(-cells + 1, 0)]) * self.h
 
         def primitive(y):
@@ -47,7 +47,7 @@ class Contact:
         return self.compliance * (np.cumsum(burden) - burden / 2)
 
     def frictionless(self, p, profile, tolerance):
-        """Polonsky and Keer's iteration from p for a profile."""
+        """Solves for a profile by the iteration of Polonsky and Keer, starting from p."""
         direction = np.zeros_like(p)
         old, steepest, steps = 1.0, True, 0
         while True:

@@ -24,7 +24,7 @@ OCTAVES = range(4, 19)
 
 
 def share(program, problem, *options):
-    """All its digits, and the least user time of three runs of the whole program."""
+    """Returns the first load share with all its digits, and the least user time of three runs of the whole program."""
     runs = [run(program, os.path.join(HERE, problem), ["--format", "json", *options]) for _ in range(3)]
     return Fraction(json.loads(runs[0][0])["resultants"]["load_share"][0]["value"]), min(seconds for _, seconds in runs)
 
@@ -34,7 +34,7 @@ def error(share, truth):
 
 
 def libraries(build):
-    """GSL, PARI and Arb beside ours in one run."""
+    """Returns the rows of GSL, PARI and Arb beside ours, measured in one run."""
     rows = []
 
     def add(peer, times, name, ours, counter):
@@ -62,7 +62,7 @@ def libraries(build):
 
 
 def compare(build, quick):
-    """The rows of the table."""
+    """Returns the rows of the table."""
     program = os.path.join(build, "bin", "steadyslide-solver")
     truths, by_formula, by_cells = {}, {}, {}
     for problem in ("parabola.toml", "punch.toml"):
@@ -90,7 +90,7 @@ def compare(build, quick):
             formula_off, formula_seconds = by_formula[problem, digits]
             cells = ["", "", ""]
             if problem == "parabola.toml":
-                # No finer mesh may be worse: an end lies in its cell as it happens to.
+                # The next finer mesh must not be worse, because the position of an end in its cell varies.
                 octave = next((o for o in OCTAVES if all(on_cells(p)[0] <= off for p in (o, o + 1))), None)
                 if octave:
                     cells = [f"2^{octave}", power_of_ten(on_cells(octave)[0]), f"{on_cells(octave)[1]:.3f} s"]

@@ -21,7 +21,7 @@ LOAD, POISSON, YOUNG, FRICTION, JUMP, REACH = 0.35, 0.2, 1.0, (0.3, 0.9), 0.1, 1
 
 
 def graded(first):
-    """Distances from the end of equal elements, each longer by half than the one before."""
+    """Returns distances from the end of equal elements; each is longer by half than the one before."""
     places, step = [], first
     while not places or places[-1] < REACH:
         step *= 1.5

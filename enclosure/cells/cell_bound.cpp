@@ -11,7 +11,7 @@
 namespace steadyslide::enclosure {
 namespace {
 
-/// H's rounding is far below any gap that cells have.
+/// The rounding of H is far below any gap on cells.
 constexpr Bits cell_bits = 128;
 
 CellBound refused(std::string reason) {
@@ -20,13 +20,13 @@ CellBound refused(std::string reason) {
   return result;
 }
 
-/// value +/- error, cut to [low, high].
+/// Returns value +/- error, cut to [low, high].
 Ball enclosed(const Rational& value, const Ball& error, const Rational& low, const Rational& high) {
   const Ball x = Ball::plus_or_minus(Ball(value, cell_bits), error);
   return Ball::hull(max(x.lower(), Ball(low, cell_bits)).lower(), min(x.upper(), Ball(high, cell_bits)).upper());
 }
 
-/// The parts of the load left of the jumps, exactly as the cells have them.
+/// Returns the exact fractions of the load of the cells left of the jumps.
 std::vector<Rational> loads_before(const ContactProblem& problem, const CellPressures& pressures) {
   const Rational left = problem.indenter().left();
   const Rational h = (problem.indenter().right() - left) / Rational(pressures.size());
@@ -104,7 +104,7 @@ CellBound bound_cells(const ContactProblem& problem, std::span<const double> pre
 
   CellBound result;
   result.cells = cells->size();
-  // The search for the lowest gap stops at a 256th.
+  // The search for the lowest gap stops at a relative accuracy of 1/256.
   result.energy = ((mean - lowest.bound) * Ball(Rational(257, 256), cell_bits)).upper();
   result.sharpness = max((mean - lowest.somewhere).lower(), Ball(0, cell_bits)).lower();
   result.largest_gap = (*most - lowest.bound).upper();

@@ -5,7 +5,7 @@
 namespace steadyslide::enclosure {
 namespace {
 
-/// z rounded down, or up, to a multiple of 2^-20.
+/// Returns z rounded down, or up, to a multiple of 2^-20.
 double rounded(const Rational& z, bool up) {
   const Rational scaled = z * (1 << 20);
   Integer whole = numerator(scaled) / denominator(scaled);  // z >= 0

@@ -10,26 +10,26 @@
 namespace steadyslide::enclosure {
 namespace {
 
-/// Second differences of T lose twice the bits of N.
+/// Second differences of T lose twice the number of bits of N.
 constexpr Bits spare = 96;
 
-/// Logarithms of whole and half numbers, and what is made of them.
+/// Logarithms of integers and half-integers, and functions of them.
 class Logarithms {
  public:
   Logarithms(std::size_t n, Bits bits) : bits_(bits) {
     const Ball two(2, bits);
     const Ball log_two = log(two);
     for (std::size_t k = 0; k <= n + 2; ++k) {
-      // log 0 is never asked for by itself: l and T are 0 there.
+      // log 0 is never used alone: l and T are 0 there.
       whole_.push_back(k == 0 ? Ball(0, bits) : log(number(k)));
       half_.push_back(log(number(2 * k + 1)) - log_two);
     }
   }
 
   Ball number(std::size_t k) const { return {static_cast<int>(k), bits_}; }
-  /// l(k) = k log k.
+  /// Returns l(k) = k log k.
   Ball l(std::size_t k) const { return number(k) * whole_[k]; }
-  /// T(k) = k^2/2 log k.
+  /// Returns T(k) = k^2/2 log k.
   Ball twice(std::size_t k) const { return number(k) * number(k) * whole_[k] / Ball(2); }
   Ball a(std::size_t k) const { return Ball(2) * (l(k) + l(k + 1)) - Ball(2) * number(2 * k + 1) * half_[k]; }
   Ball b(std::size_t k) const { return Ball(4) * (l(k + 1) - l(k) - half_[k] - Ball(1)); }
@@ -45,7 +45,7 @@ class Logarithms {
   std::vector<Ball> half_;
 };
 
-/// A polynomial with whole coefficients, and a whole number.
+/// A polynomial with integer coefficients, and an integer.
 struct WholePolynomial {
   explicit WholePolynomial(std::size_t length) { fmpz_poly_init2(value, static_cast<slong>(length)); }
   WholePolynomial(const WholePolynomial&) = delete;
@@ -62,13 +62,13 @@ struct WholeNumber {
   fmpz_t value;
 };
 
-/// Enclosed sums  r_i = sum_j w_j k_{i-j},  i = 0..count-1,  of whole numbers w and enclosed numbers k.
+/// Returns enclosures of the sums r_i = sum_j w_j k_{i-j}, i = 0..count-1, for integers w and enclosed numbers k.
 ///
-/// Each k becomes a whole number K of units 2^-fraction, and sum w_j K_{i-j} is a coefficient of a product of two
-/// polynomials with whole coefficients (FLINT), exact. If |k - 2^-fraction K| <= e for every k, then
+/// Each k is rounded to an integer K of units 2^-fraction. Then sum w_j K_{i-j} is an exact coefficient of a product of
+/// two polynomials with integer coefficients (FLINT). If |k - 2^-fraction K| <= e for every k, then
 ///   |r_i - 2^-fraction sum w_j K_{i-j}| <= e sum |w_j|.
 ///
-/// `kernel` is asked for d = -(weights.size() - 1) up to count - 1. Throws std::invalid_argument where it is not finite.
+/// `kernel` is called for d = -(weights.size() - 1) up to count - 1. Throws std::invalid_argument if it is not finite.
 template <class Kernel>
 std::vector<Ball> toeplitz_sums(const std::vector<std::int64_t>& weights, std::size_t count, const Kernel& kernel,
                                 Bits fraction) {
@@ -85,7 +85,7 @@ std::vector<Ball> toeplitz_sums(const std::vector<std::int64_t>& weights, std::s
   for (slong d = 1 - n; d < m; ++d) {
     const Ball value = kernel(d);
     if (!value.is_finite()) throw std::invalid_argument("a kernel that is not finite");
-    // Cut off, by less than a unit.
+    // Truncated by less than one unit.
     arf_get_fmpz_fixed_si(number.value, arb_midref(value.get()), -fraction);
     fmpz_poly_set_coeff_fmpz(k.value, d + n - 1, number.value);
     widest = max(widest, value.radius().at(64));

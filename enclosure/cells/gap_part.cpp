@@ -9,7 +9,7 @@ constexpr int table_size = 64;
 
 Ball times_log(const Ball& x) { return x.is_zero() ? x : x * log(x); }
 
-/// M of -c e_k over [z0, z1], x0 = k + z0 and x1 = k + z1, into `curvature`, or how far it dips into `beside`.
+/// Adds M of -c e_k over [z0, z1], x0 = k + z0 and x1 = k + z1, to `curvature`, or its dip to `beside`.
 void add(const Ball& c, const Ball& x0, const Ball& x1, Ball& curvature, Ball& beside) {
   if (c.is_zero()) return;
   if (c.is_negative()) {

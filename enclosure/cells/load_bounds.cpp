@@ -27,13 +27,13 @@ LoadBounds::LoadBounds(const ContactProblem& problem, const CellPressures& press
 LoadBounds::Capacity LoadBounds::best(const CellPressures& pressures, const Rational& c, bool right) const {
   const Rational end(pressures.size());
   const Rational total(pressures.total());
-  // Seen from c, the support's end beyond eps, and the one behind.
+  // Distance from c to the support's end in the direction of eps, and to the other end.
   const Rational room = right ? Rational(end - c) : c;
   const Rational behind = right ? c : Rational(end - c);
   const Ball root = sqrt(energy_);
   std::optional<Capacity> result;
   for (int i = 1; i <= most_tried; ++i) {
-    const Rational eps = room * Rational(std::pow(0.85, i));  // whatever it is, exactly
+    const Rational eps = room * Rational(std::pow(0.85, i));  // any value is admissible; it is exact
     const Rational far = right ? Rational(c + eps) : Rational(c - eps);
     const Rational load = abs(pressures.load_before(far) - pressures.load_before(c)) / total;
     const Rational k_squared = eps * end / ((behind + eps) * room);
@@ -71,7 +71,7 @@ Ball LoadBounds::deviation(const std::vector<Rational>& a) const {
     return bound.upper();
   };
   if (!bounded) return by_capacity(energy_);
-  // Where the two meet, to the right of it.
+  // Finds a value just right of the point where the two bounds are equal.
   Ball low(0, load_bits), beta = energy_;
   for (int i = 0; i < 40; ++i) {
     const Ball middle = ((low + beta) / Ball(2)).midpoint();

@@ -3,9 +3,9 @@
 namespace steadyslide::enclosure {
 namespace {
 
-/// Ends are multiples of 2^-20: every place met is one of 2^-44.
+/// Ends are multiples of 2^-20, so all places are multiples of 2^-44.
 constexpr int most_halvings = 24;
-/// Logarithms, mostly.
+/// The cost is mostly logarithms.
 constexpr std::int64_t work_of_interval = 100;
 
 class Search {
@@ -32,7 +32,7 @@ class Search {
   }
 
  private:
-  /// `at_z0`, `at_z1`: H without its rest there.
+  /// `at_z0` and `at_z1` are H without its rest at z0 and z1.
   void search(const GapPart& part, double z0, double z1, const Ball& at_z0, const Ball& at_z1, int halvings) {
     const Ball lower = (min(at_z0, at_z1) - part.rest - part.dip(z0, z1)).lower();
     work_.take(work_of_interval);
@@ -44,14 +44,15 @@ class Search {
     const Ball value = part.value(middle, logarithms_);
     least_ = min(least_, value - part.rest).upper();
     result_.somewhere = min(result_.somewhere, value + part.rest).upper();
-    // The lower half first: what it finds spares the other one.
+    // Search the lower half first, because its result may make the other half unnecessary.
     const bool left = at_z0 < at_z1;
     if (left) search(part, z0, middle, at_z0, value, halvings + 1);
     search(part, middle, z1, value, at_z1, halvings + 1);
     if (!left) search(part, z0, middle, at_z0, value, halvings + 1);
   }
 
-  /// What a bound need not exceed: the search is one for the least of H less its rest, which no halving reduces.
+  /// Returns a sufficient value of the bound. The search minimises H without its rest, because halving does not reduce
+  /// the rest.
   Ball enough() const { return least_ - (mean_ - least_) / Ball(256); }
 
   const CellGap& gap_;

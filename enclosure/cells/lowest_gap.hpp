@@ -1,6 +1,6 @@
 #pragma once
-// A lower bound of H (cell_gap.hpp) over the whole support: parts of cells are halved until what H may dip below its values
-// at their ends no longer matters.
+// A lower bound of H (cell_gap.hpp) over the whole support. Parts of cells are halved until the dip of H below its
+// values at their ends is negligible.
 
 #include <limits>
 #include <optional>
@@ -12,13 +12,14 @@ namespace steadyslide::enclosure {
 
 struct LowestGap {
   Ball bound;      ///< H >= bound everywhere, exact
-  Ball somewhere;  ///< H <= somewhere at one place at least: how sharp the bound is
+  Ball somewhere;  ///< H <= somewhere at one place at least; shows the sharpness of the bound
   std::size_t intervals = 0;
-  /// The cell that was searched when the budget of work was spent; absent where the search has ended.
+  /// The cell that was searched when the work budget was spent; absent if the search is complete.
   std::optional<std::size_t> unfinished = {};
 };
 
-/// `mean`: of H under the pressures. `low`: H <= low somewhere. Within a 256th of mean - min H.
+/// Returns the bound, with an error of at most (mean - min H)/256. `mean` is the mean of H over the pressures. `low`:
+/// H <= low at some place.
 LowestGap lowest_gap(const CellGap& gap, const Ball& mean, const Ball& low, WorkBudget& work);
 
 }  // namespace steadyslide::enclosure

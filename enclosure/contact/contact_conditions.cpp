@@ -10,7 +10,7 @@ struct SegmentPart {
   std::size_t contact;  ///< the segment in contact whose polynomial is used
 };
 
-/// Next to either end B_k takes the polynomial of the contact there, with which it is analytic up to that end.
+/// Next to each end, B_k uses the polynomial of the contact there, with which it is analytic up to that end.
 std::vector<SegmentPart> parts_of(const ContactSet::Run& gap) {
   using Extent = ContactPanel::Extent;
   if (gap.first == gap.last) {
@@ -78,7 +78,7 @@ std::int64_t ContactConditions::work() const {
       panels += ContactPanel::graded(set_, part.segment, part.extent).size();
     }
   }
-  // Sums over distant segments need fewer bits from term to term: half of them on average.
+  // In sums over distant segments each term needs fewer bits than the one before; on average half of the bits.
   return static_cast<std::int64_t>(panels) * form_.count() * form_.work_of_place() / 2 + form_.work_of_panels();
 }
 
@@ -184,7 +184,7 @@ Ball ContactConditions::gap_at(const Place& place) const {
   const bool left = from_left && (!from_right || to_left.midpoint() <= to_right.midpoint());
 
   const std::size_t k = form_.slope_of(left ? first - 1 : last + 1);
-  // Over parts of segments off the contact, from left to right.
+  // Integrates over parts of segments outside the contact, from left to right.
   const auto change = [&](const std::vector<ContactPanel::Part>& parts) {
     Ball sum(0, set_.bits());
     for (const ContactPanel::Part& part : parts) sum += form_.gap_change(part, k);
@@ -206,7 +206,7 @@ std::vector<Ball> ContactConditions::gap_derivatives(const ContactSet::Run& gap,
                                                      const std::vector<Ball>& residues) const {
   const Bits bits = set_.bits();
   const Ball pi = Ball::pi(bits);
-  // What multiplies Y in the derivative of profile slope - u'/c, but for the poles.
+  // The factors of Y in the derivative of profile slope - u'/c, without the poles.
   std::vector<BallPolynomial> polynomials;
   for (const std::size_t f : movable_) {
     BallPolynomial r = quotient(q_, set_.x(f));
@@ -223,7 +223,7 @@ std::vector<Ball> ContactConditions::gap_derivatives(const ContactSet::Run& gap,
     polynomials.emplace_back();
     for (int i = 0; i <= -degree_; ++i) polynomials.back().push_back(form_.reciprocal(-degree_ - i));
   }
-  // The load is q's leading coefficient, or among the moments.
+  // The load is the leading coefficient of q, or it is in the moments.
   polynomials.push_back(degree_ < 0 ? coefficient_of_q(free_coefficients_) : BallPolynomial{Ball(0, bits)});
 
   std::vector<Ball> row(polynomials.size(), Ball(0, bits));

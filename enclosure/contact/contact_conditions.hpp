@@ -1,5 +1,5 @@
 #pragma once
-// What the unknowns of a contact set have to fulfil: its free ends e_f, the polynomial q, the tilt. With
+// The conditions on the unknowns of a contact set: its free ends e_f, the polynomial q, the tilt. With
 //
 //   u'/(c Y) = m_0/z + m_1/z^2 + ... + q/pi,
 //
@@ -11,10 +11,12 @@
 //
 //   gap/c = steps of the profile + int (psi' - u')/c dxi   from the nearer end of contact to the place,
 //
-// int (psi' - u')/c = int (g - g_k) + Y B_k with k the slope of the contact at that end, with which B_k is analytic up to it.
+// int (psi' - u')/c = int (g - g_k) + Y B_k, where k is the slope of the contact at that end. With this k, B_k is
+// analytic up to the end.
 //
-// Their derivatives need none of an integral: near e_f, d(u'/c)/d e_f = Y (rho_f/(z - e_f) + r(z)) with rho_f = p_f B(e_f)
-// and r the polynomial part of -p_f q/(pi (z - e_f)); d/d tilt is 1 - Y [1/Y]_poly. (Liouville's theorem.)
+// The derivatives of the conditions need no derivative of an integral: near e_f, d(u'/c)/d e_f = Y
+// (rho_f/(z - e_f) + r(z)) with rho_f = p_f B(e_f) and r the polynomial part of -p_f q/(pi (z - e_f)); d/d tilt is
+// 1 - Y [1/Y]_poly. (Liouville's theorem.)
 
 #include <algorithm>
 
@@ -24,7 +26,7 @@ namespace steadyslide::enclosure {
 
 class ContactConditions {
  public:
-  /// `form` has to outlive it.
+  /// `form` must outlive this object.
   explicit ContactConditions(const TractionRepresentation& form)
       : form_(form),
         set_(form.set()),
@@ -33,26 +35,27 @@ class ContactConditions {
         movable_(set_.topology().movable()),
         free_coefficients_(static_cast<std::size_t>(std::max(-degree_ - 1, 0))) {}
 
-  /// The work of the form and of conditions(), for a budget (work_budget.hpp).
+  /// Returns the work of the form and of conditions(), for a budget (work_budget.hpp).
   std::int64_t work() const;
-  /// In the order moments, gaps, moment of the load: all of them are 0 at a solution.
+  /// Returns the conditions in the order moments, gaps, moment of the load. All are 0 for a solution.
   std::vector<Ball> conditions() const;
-  /// Their derivatives by the logarithms of the offsets, the coefficients of q and the tilt, and in a last column by the
-  /// load. (It enters linearly, as q does.)
+  /// Returns their derivatives with respect to the logarithms of the offsets, the coefficients of q and the tilt, and
+  /// in the last column the load. (The conditions are linear in the load and in q.)
   std::vector<std::vector<Ball>> jacobian() const;
-  /// The number of unknowns; that of conditions is the same, or there is no isolated solution.
+  /// Returns the number of unknowns. If the number of conditions differs, there is no isolated solution.
   std::size_t unknowns() const;
-  /// int xi t dxi / int t dxi, from the expansion at infinity.
+  /// Returns int xi t dxi / int t dxi, from the expansion at infinity.
   Ball centre_of_pressure() const;
-  /// The gap at a place in a segment off the contact, which is thin. Not finite where there is no contact on either side.
+  /// Returns the gap at a place in a segment outside the contact. The place must be thin. Not finite if there is no
+  /// contact on either side.
   Ball gap_at(const Place& place) const;
 
  private:
-  /// int eps cos(pi alpha) (g - g_k)/|Y| x^j dx over the contact.
+  /// Returns int eps cos(pi alpha) (g - g_k)/|Y| x^j dx over the contact.
   Ball integral(std::size_t k, std::size_t j) const;
-  /// m_j.
+  /// Returns m_j.
   Ball moment(std::size_t j) const;
-  /// The coefficient of z^-2 of u'/c: (1/pi) times the load's moment.
+  /// Returns the coefficient of z^-2 in u'/c, which is (1/pi) times the load's moment.
   Ball second_coefficient() const;
   Ball gap_condition(const ContactSet::Run& gap) const;
   std::vector<Ball> gap_derivatives(const ContactSet::Run& gap, const std::vector<Ball>& residues) const;
@@ -62,7 +65,7 @@ class ContactConditions {
   const BallPolynomial& q_;
   int degree_;
   std::vector<std::size_t> movable_;
-  std::size_t free_coefficients_;  ///< of q: without the load
+  std::size_t free_coefficients_;  ///< number of coefficients of q without the load
 };
 
 }  // namespace steadyslide::enclosure

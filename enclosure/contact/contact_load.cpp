@@ -14,9 +14,9 @@ const ContactPanel& ContactLoad::facing_panel(std::size_t c, std::size_t segment
 }
 
 Ball ContactLoad::bound_beside(std::size_t c, const ContactPanel& panel) const {
-  // With y, z in the ellipse E of the panel on the other side, of length D: the quotient of differences is at most
-  // 2 max |G|/(their distance from E's boundary). |z| <= 9/20 D puts them into the confocal ellipse with the larger
-  // semi-axis 19/10 D/2, and two of these are as far apart as their larger semi-axes differ.
+  // Let y, z lie in the ellipse E of the panel on the other side, of length D. The difference quotient is at most 2 max
+  // |G|/(their distance from E's boundary). |z| <= 9/20 D puts them into the confocal ellipse with the larger semi-axis
+  // 19/10 D/2. The distance of two confocal ellipses is the difference of their larger semi-axes.
   const std::size_t segment = panel.part().segment;
   const std::size_t k = form_.slope_of(segment);
   const std::size_t other = segment < c ? c : c - 1;
@@ -65,7 +65,7 @@ TractionRule ContactLoad::rule(ContactPanel::Part part) const {
   // cos(pi alpha) <= 1.
   result.bound = apart ? bound_beside(c, result.panel) : form_.bound(k, result.panel, Ellipse::far);
   if (apart) result.singular = singular_term(c, segment);
-  // A panel beside a tiny gap carries less than what is rounded away of the load: its bound is as good as its values.
+  // The load of a panel beside a tiny gap is below the rounding error of the load, so its bound is sufficient.
   Ball mass(0, 64);
   for (const ContactPanel::Node& node : result.panel.nodes()) mass += node.weight.at(64);
   const Ball most = result.bound * mass;
@@ -86,7 +86,7 @@ std::vector<TractionRule> ContactLoad::rules(std::size_t segment, const ContactP
   std::vector<ContactPanel::Part> parts;
   const auto outward = [&](Side from, const ContactPanel::Range& distances) {
     const std::size_t j = from == Side::left ? segment : segment + 1;
-    // Where the polynomial changes, a panel a fifth as long as the one on the other side.
+    // If the polynomial changes, use a panel with a fifth of the length of the one on the other side.
     std::optional<Ball> first;
     if (changes_polynomial(j)) first = facing_panel(j, segment).part().length / Ball(5);
     for (ContactPanel::Part& part : ContactPanel::outward(set_, segment, from, distances, first)) {
@@ -95,7 +95,7 @@ std::vector<TractionRule> ContactLoad::rules(std::size_t segment, const ContactP
       }
     }
   };
-  // Outwards from the nearer of the segment's points.
+  // Divide outwards from the nearer of the segment's points.
   const Ball& whole = set_.length(segment);
   const Ball half = whole / Ball(2);
   const auto is_before = [](const Ball& a, const Ball& b) { return a.midpoint() < b.midpoint(); };
@@ -106,7 +106,7 @@ std::vector<TractionRule> ContactLoad::rules(std::size_t segment, const ContactP
     outward(Side::right, {rest, is_before(range.from, half) ? half : whole - range.from});
   }
   const auto rule_of = [&](std::size_t i) { return rule(parts[i]); };
-  // Fewer places are asked for one by one: moments may not pay, and are counted for.
+  // For fewer places, moments may not pay off; the work counts them as computed one by one.
   const bool are_many = 2 * static_cast<Bits>(parts.size()) * form_.count() > set_.bits();
   if (are_many) form_.prepare(form_.slope_of(segment), segment);
   return TaskThreads(are_many ? threads_ : 1).all(0, parts.size(), rule_of);
@@ -114,7 +114,7 @@ std::vector<TractionRule> ContactLoad::rules(std::size_t segment, const ContactP
 
 namespace {
 
-/// int_0^length p(+-d) S dd.
+/// Returns int_0^length p(+-d) S dd.
 Ball integral(const TractionRule::Singular& term, const BallPolynomial& weight, const Ball& length) {
   const BallPolynomial p = product(term.factor, weight);
   Ball sum(0, length.bits());

@@ -15,7 +15,7 @@ ContactPanel::ContactPanel(const ContactSet& set, Part part, int n, std::optiona
   if (part_.touches) touched = *part_.touches == Side::left ? k : k + 1;
   if (touched) power_ = power(*touched);
 
-  // For the bounds: distances of the other points from the panel's nearer end.
+  // For the bounds: distances of other points from the panel's nearer end.
   constexpr Bits few = 64;
   struct Outside {
     Ball distance;
@@ -24,9 +24,9 @@ ContactPanel::ContactPanel(const ContactSet& set, Part part, int n, std::optiona
   std::vector<Outside> outside;
   struct Factor {
     std::size_t j;
-    Ball to_left;  ///< of the segment's nearer point from point j
+    Ball to_left;  ///< distance of the segment's nearer point from point j
   };
-  // Points of one power share a logarithm.
+  // Points with the same power share a logarithm.
   std::vector<std::pair<Ball, std::vector<Factor>>> factors;
   for (std::size_t j = 0; j < set.points(); ++j) {
     if (touched == j || (set.is_regular(j) && lowered != j)) continue;
@@ -82,7 +82,7 @@ Ball ContactPanel::largest(const BallPolynomial& polynomial, Ellipse ellipse) co
 
 std::vector<ContactPanel::Part> ContactPanel::outward(const ContactSet& set, std::size_t segment, Side from,
                                                       const Range& range, std::optional<Ball> first) {
-  constexpr std::size_t most_panels = 4096;  // enough for a distance of 1e-1200 of the contact
+  constexpr std::size_t most_panels = 4096;  // sufficient for a distance of 1e-1200 of the contact
   const bool left = from == Side::left;
   const Ball& whole = set.length(segment);
   if (const bool at_margin = left ? segment == 0 : segment + 1 == set.segments(); !at_margin) {
@@ -97,12 +97,13 @@ std::vector<ContactPanel::Part> ContactPanel::outward(const ContactSet& set, std
     Ball length = (whole - at) / Ball(2);
     if (!touches) length = min(length, at);
     if (touches && first) length = min(length, *first);
-    // Places are our choice: midpoints of balls, so that only the last length carries the box's width.
+    // The places can be chosen freely: use midpoints of balls, so that only the last length contains the box's width.
     length = length.lower();
     const Ball left_over = range.to - at;
-    // Points out of order, or closer than any solution has them: one panel, whose bounds are not finite.
+    // If points are out of order, or closer than in any solution, use one panel, whose bounds are not finite.
     if (!length.is_positive() || result.size() == most_panels) length = left_over;
-    // A rest of the size of rounding makes no panel. A rest of the box's width makes one: else it would widen every node.
+    // A rest of the size of rounding makes no panel. A rest of the box's width makes one, because otherwise it would
+    // widen every node.
     more = length * hair < left_over;
     if (!more || Ball(2) * length > left_over) length = more ? (left_over / Ball(2)).lower() : left_over;
     const Ball to = at + length;

@@ -7,7 +7,7 @@
 namespace steadyslide::enclosure {
 namespace {
 
-/// Signs need few digits, except next to a threshold.
+/// Decides the signs. They need few digits, except close to a threshold.
 SignsDecided decide(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules, WorkBudget& work) {
   SignsDecided signs;
   const int rounds = problem.load_radius > 0 ? 14 : 40;
@@ -37,8 +37,8 @@ void judge(ContactProof& proof, KrawczykResult zero, JacobiRules& rules, WorkBud
   }
 }
 
-/// Bits that loads lose beside a friction jump with a power beta near 0, where they are differences of terms of 1/beta each. The
-/// bits that digits have to spare stand for some of them.
+/// Returns the number of bits that loads lose beside a friction jump with a power beta near 0, where they are
+/// differences of terms of size 1/beta. The spare bits of the digits cover some of them.
 Bits lost_bits(const ReducedProblem& problem) {
   constexpr double spare = 24;
   double lost = 0;
@@ -62,7 +62,7 @@ Frame frame_of(const ContactProblem& problem, const ApproximateContact& contact)
   Rational unit = 1;
   while (unit < to - from) unit *= 2;
   while (unit > to - from && to > from) unit /= 2;
-  // A short number near the middle keeps the data short.
+  // Use a short number near the middle, so that the data stay short.
   const Rational eighths = (from + to) / 2 / unit * 8;
   const Integer whole = numerator(eighths) / denominator(eighths);
   return {Rational(whole) * unit / 8, unit};

@@ -1,6 +1,6 @@
 #pragma once
-// The proof that a contact problem has a solution whose ends lie in given intervals: one zero of the conditions in a box
-// (krawczyk.hpp), and every sign decided (decided_signs.hpp).
+// The proof that a contact problem has a solution whose ends lie in given intervals: one zero of the conditions in a
+// box (krawczyk.hpp), and every sign decided (decided_signs.hpp).
 
 #include <optional>
 #include <string>
@@ -12,35 +12,36 @@ namespace steadyslide::enclosure {
 
 struct ContactProof {
   bool proved = false;
-  /// A sign is decided the other way: this is no solution.
+  /// True if a sign is decided the other way: then this is not a solution.
   bool refuted = false;
-  /// Why not, in words; `where` in the user's x if it is about a place.
+  /// The reason if nothing is proved, in words; `where` is in the user's x if the reason concerns a place.
   std::string reason;
   std::optional<double> where;
 
   ReducedProblem problem;
-  ContactBox box;  ///< of the unknowns; the best state reached if nothing is proved
+  ContactBox box;  ///< box of the unknowns; the best state reached if nothing is proved
   Bits bits;
-  std::size_t intervals = 0;  ///< on which signs were decided
+  std::size_t intervals = 0;  ///< number of intervals on which signs were decided
 
-  /// The enclosed solution, to be asked for numbers.
+  /// Returns the enclosed solution.
   TractionRepresentation form(JacobiRules& rules) const { return box.form(problem, count_for(bits), rules); }
 };
 
-/// A frame in which the contact is about one unit long.
+/// Returns a frame in which the contact is about one unit long.
 Frame frame_of(const ContactProblem& problem, const ApproximateContact& contact);
 
-/// From what a solver found. `digits`: of the ends, as far as the approximation's topology is right; precision is raised
-/// where it does not suffice, to four times what the digits need. Ends when the budget of work is spent.
+/// Proves a solver's result. `digits` is the number of digits of the ends, if the topology of the approximation is
+/// correct. If the precision is not sufficient, it is raised, to at most four times what the digits need. Stops when
+/// the work budget is spent.
 ContactProof prove_contact(const ContactProblem& problem, const ApproximateContact& contact, int digits,
                            WorkBudget& work);
-/// With a budget of its own.
+/// The same with its own budget.
 ContactProof prove_contact(const ContactProblem& problem, const ApproximateContact& contact, int digits);
 
-/// What Krawczyk's operator says, then the signs over its box.
+/// Completes a proof from the result of Krawczyk's operator: decides the signs over its box.
 ContactProof prove_signs(const ReducedProblem& problem, KrawczykResult zero, JacobiRules& rules, WorkBudget& work);
 
-/// A box that is given: no Newton step before the proof. With a budget of its own.
+/// Proves a given box, without a Newton step before the proof, with its own budget.
 ContactProof prove_box(const ReducedProblem& problem, const ContactBox& box, Bits bits);
 
 }  // namespace steadyslide::enclosure

@@ -46,8 +46,8 @@ ContactSet::ContactSet(const ReducedProblem& problem, ContactTopology topology, 
     exponents_.push_back(std::move(exponent));
   }
 
-  // Y+ = |Y| e^{i pi sigma}, sigma the sum of the powers to the right; (s+i) cos(pi alpha) = i e^{-i pi alpha}. So eps is
-  // e^{i pi (1/2 + sigma - alpha)}; off the contact sigma is an integer.
+  // Y+ = |Y| e^{i pi sigma}, sigma the sum of the powers on the right; (s+i) cos(pi alpha) = i e^{-i pi alpha}. So eps
+  // is e^{i pi (1/2 + sigma - alpha)}. Outside the contact sigma is an integer.
   Exponent sigma;
   signs_.resize(segments());
   for (std::size_t k = segments(); k-- > 0;) {

@@ -12,24 +12,24 @@ namespace {
 
 using Kind = ContactTopology::Kind;
 
-/// Half a segment, seen from one of its points: distances d from it, from 0 to half the segment's length.
+/// Half of a segment at one of its points, with distances d from this point, from 0 to half the segment's length.
 struct Half {
   std::size_t segment;
-  Side from;  ///< on which side of the segment that point is
+  Side from;  ///< the side of the segment on which this point is
 };
 
-/// Distances from `low` to `high`; up to the half's end both are exact.
+/// Distances from `low` to `high`. Both are exact, except at the end of the half.
 struct Interval {
   Ball low;
   Ball high;
 };
 
-/// A part of half a segment, with B over it where its series is made, t = -1 at the lower distance.
+/// A part of half a segment, with the series of B over it, if it is made; t = -1 at the lower distance.
 struct Stretch {
   Half half;
   Interval d;
   std::optional<ChebyshevSeries> b = {};
-  std::array<std::optional<Ball>, 3> seen = {};  ///< distances at which B is negative, is not decided, is positive
+  std::array<std::optional<Ball>, 3> seen = {};  ///< distances at which B is negative, undecided, positive
 };
 
 class Decision {
@@ -68,15 +68,17 @@ class Decision {
     return result;
   }
 
-  /// The two halves meet for each of the box's values: one of them ends at an exact distance from its point.
+  /// Returns the end of a half. The two halves meet for all values in the box: one of them ends at an exact distance
+  /// from its point.
   Ball end_of(const Half& half) const {
     const Ball& length = set_.length(half.segment);
     const Ball middle = (length / Ball(2)).midpoint();
     return half.from == Side::left ? middle : length - middle;
   }
 
-  /// B from its values at thin places, whose number does not grow with what cancels in it; nothing next to a point at which it is
-  /// singular. For each of the box's values it is a function of the distance from the half's point.
+  /// Makes the series of B from its values at thin places. Their number does not depend on cancellation in B. Does
+  /// nothing next to a point where B is singular. For each value in the box, B is a function of the distance from the
+  /// half's point.
   void expand(Stretch& stretch) {
     constexpr Ellipse ellipse = Ellipse::far;
     const auto& [low, high] = stretch.d;
@@ -94,7 +96,8 @@ class Decision {
     if (all_finite(values)) stretch.b.emplace(nodes_, values, bound, ContactPanel::rho(ellipse));
   }
 
-  /// B's sign on the whole stretch, 0 if it is not decided. A series is made where an interval's arithmetic does not suffice.
+  /// Returns B's sign on the whole stretch; 0 if it is undecided. If interval arithmetic does not suffice, a series is
+  /// made.
   int sign_on(Stretch& stretch, bool expands = true) {
     ++result_.intervals;
     work_.take(form_.work_of_place());
@@ -106,7 +109,7 @@ class Decision {
 
   static int sign_of(const Ball& x) { return x.is_positive() ? 1 : x.is_negative() ? -1 : 0; }
 
-  /// The two parts of a stretch that meet there.
+  /// Returns the two parts of a stretch that meet at `middle`.
   std::array<Stretch, 2> halves(const Stretch& whole, const Ball& middle) {
     const auto& [half, d, b, seen] = whole;
     std::array<Stretch, 2> result{Stretch{half, {d.low, middle}}, Stretch{half, {middle, d.high}}};
@@ -132,8 +135,8 @@ class Decision {
     result_.x = set_.x(point(half)) + (half.from == Side::left ? distance : -distance);
   }
 
-  /// A closed interval [0, d_1] next to the half's point on which B has this sign. Where there is none 0, and `refuted` says
-  /// whether B has the other one.
+  /// Returns d_1 of a closed interval [0, d_1] next to the half's point on which B has this sign. If there is none,
+  /// returns 0, and `refuted` is true if B has the other sign.
   Ball first_interval(const Half& half, int wanted, bool& refuted) {
     const Ball zero(0, bits_);
     const Ball end = end_of(half);
@@ -148,7 +151,7 @@ class Decision {
     return zero;
   }
 
-  /// B has the sign `wanted` on half a segment in contact, up to its point.
+  /// Decides that B has the sign `wanted` on half a segment in contact, up to its point.
   void decide_half(const Half& half, int wanted) {
     if (!result_.proved) return;
     bool refuted = false;
@@ -166,7 +169,7 @@ class Decision {
       if (!(d.low < d.high)) continue;
       const int sign = sign_on(stretch);
       if (sign == wanted) continue;
-      // A place where it is not as it has to be, or where the box decides nothing: no division helps.
+      // At a place with the wrong sign, or at one that the box cannot decide, division does not help.
       const auto& pulls = stretch.seen[static_cast<std::size_t>(1 - wanted)];
       const auto& is_open = stretch.seen[1];
       const bool is_refuted = sign == -wanted || pulls;
@@ -180,12 +183,12 @@ class Decision {
     }
   }
 
-  /// With the budget's name, if it is the reason.
+  /// Returns the words, with the work budget as the reason if it is spent.
   std::string undecided(const char* words) const {
     return words + std::string(work_.is_spent() ? " within the budget of work" : "");
   }
 
-  /// Intervals of relative width 2^-20 that are not decided touch a zero, or the precision does not suffice.
+  /// False for a relative width of 2^-20: such an undecided interval touches a zero, or the precision does not suffice.
   bool is_divisible(const Interval& d) const { return d.high - d.low > d.high * power(Ball(2, bits_), -20); }
 
   Ball divide(const Interval& d) const {
@@ -193,15 +196,15 @@ class Decision {
     return ((d.low + d.high) / Ball(2)).midpoint();
   }
 
-  /// A part of a gap, with what the gap's height changes by, from left to right.
+  /// A part of a gap, with the change of the gap's height, from left to right.
   struct Cell {
     Stretch at;
-    int sign;     ///< of gap' for x to the right; 0 if it is not decided
-    Ball change;  ///< of the gap over the cell, to the right
-    Ball range;   ///< what it changes by up to any place of the cell lies between 0 and this
+    int sign;     ///< sign of gap' for increasing x; 0 if undecided
+    Ball change;  ///< change of the gap over the cell, from left to right
+    Ball range;   ///< its change up to any place of the cell lies between 0 and this
   };
 
-  /// At the nodes of the panel that integrates it.
+  /// Returns the work at the nodes of the panel that integrates a cell.
   std::int64_t work_of_cell() const { return (form_.count() + 1) * form_.work_of_place() + 2 * work_of_restriction(); }
 
   Cell cell(Stretch at) {
@@ -210,21 +213,22 @@ class Decision {
     const Half& half = at.half;
     const Interval& d = at.d;
     if (!at.b) expand(at);
-    // The series widens what the box makes of values, the interval what cancels in them.
+    // The series increases the width due to the box; the interval increases the width due to cancellation.
     const LocalValue b = form_.regular_factor(place(half, d));
     const Ball values = at.b ? b.value().intersection(at.b->range()) : b.value();
     const int sign = (b.sign() != 0 ? b.sign() : sign_of(values)) * set_.sign(half.segment);
-    // int |Y| over the cell: the power of the half's own point is integrated, the others are enclosed.
+    // int |Y| over the cell: the power of the half's point is integrated, the other powers are enclosed.
     const Ball exponent = set_.power(point(half)) + Ball(1);
     const Ball low = d.low.is_positive() ? power(d.low, exponent) : Ball(0, bits_);
     const Ball weight = (power(d.high, exponent) - low) / exponent * form_.modulus(place(half, d), point(half));
     const Ball range = values * weight * Ball(set_.sign(half.segment));
-    // Ranges alone would add up to more than the gap's own variation.
+    // The sum of ranges alone would exceed the gap's variation.
     Ball change = range.intersection(form_.gap_change(part(half, d), form_.slope_of(half.segment)));
     return {std::move(at), sign, std::move(change), range};
   }
 
-  /// Cells from left to right: first intervals up to the contact on either side, the rest in geometric proportion.
+  /// Returns cells from left to right: first intervals next to the contact on each side, the rest in geometric
+  /// proportion.
   std::vector<Cell> cells_of(std::size_t first, std::size_t last) {
     std::vector<Cell> cells;
     for (std::size_t k = first; k <= last; ++k) {
@@ -233,7 +237,7 @@ class Decision {
         const Ball end = end_of(half);
         Ball start(0, bits_);
         if (set_.point(point(half)).is_end()) {
-          // Away from the contact the gap opens: seen to the right, gap' > 0 to the right of an end, < 0 to the left.
+          // The gap opens away from the contact: gap' > 0 on the right of contact, gap' < 0 on its left.
           bool refuted = false;
           start = first_interval(half, (side == Side::left ? 1 : -1) * set_.sign(k), refuted);
           if (!start.is_positive()) {
@@ -267,7 +271,7 @@ class Decision {
     const bool from_left = set_.point(first).kind == Kind::ends;
     const bool from_right = set_.point(last + 1).kind == Kind::begins;
     std::vector<Cell> cells = cells_of(first, last);
-    Ball error = Ball::unknown(bits_);  // of the gap's changes over all cells
+    Ball error = Ball::unknown(bits_);  // error of the gap's changes over all cells
     bool error_falls = true;
     for (int round = 0; result_.proved; ++round) {
       std::vector<char> open(cells.size(), 0);
@@ -280,11 +284,11 @@ class Decision {
       }
       const auto open_at = std::find(open.begin(), open.end(), 0);
       if (open_at == open.end()) return;
-      // A round takes at most twice as much as the one before.
+      // A round costs at most twice as much as the one before.
       const std::int64_t next = 2 * static_cast<std::int64_t>(cells.size()) * work_of_cell();
       if (next > work_.left()) work_.take(next);
       const Ball before = std::exchange(error, error_of(cells));
-      // Once the values' own error is left, more bits help, and no division.
+      // When only the error of the values remains, more bits help, and division does not.
       error_falls = error_falls && (!before.is_finite() || error * Ball(4) < before * Ball(3));
       const Cell& at = cells[static_cast<std::size_t>(open_at - open.begin())];
       const bool divides = error_falls || error < abs(at.range).upper() * Ball(4) || !at.range.is_finite();
@@ -296,7 +300,7 @@ class Decision {
     }
   }
 
-  /// By which the known changes of the gap differ from the true ones at most, together.
+  /// Returns a bound of the total error of the gap's changes.
   Ball error_of(const std::vector<Cell>& cells) const {
     Ball sum(0, bits_);
     for (const Cell& c : cells) {
@@ -305,8 +309,8 @@ class Decision {
     return sum;
   }
 
-  /// Marks the cells in which the gap is positive by what it is at the contact's end on that side. The first cell at whose end it
-  /// is negative, if there is one.
+  /// Marks the cells in which the gap is positive, measured from the end of contact on that side. Returns the first
+  /// cell at whose end the gap is negative, if there is one.
   std::optional<std::size_t> mark(const std::vector<Cell>& cells, std::vector<char>& open, Side side) const {
     const bool left = side == Side::left;
     const std::size_t n = cells.size();
@@ -316,7 +320,7 @@ class Decision {
     Ball height = direction * set_.step(entered(at(0)));
     Ball most = height;
     if (height.is_negative()) return left ? 0 : n - 1;
-    bool grows = true;  // all the way from the contact
+    bool grows = true;  // from the contact up to here
     for (std::size_t i = 0; i < n; ++i) {
       const Cell& c = at(i);
       if (i > 0 && at(i - 1).at.half.segment != c.at.half.segment) {
@@ -326,7 +330,7 @@ class Decision {
         grows = grows && !(risen.is_negative());
       }
       grows = grows && c.sign == (left ? 1 : -1);
-      // A gap that only rises or only falls is lowest at one of the cell's ends.
+      // A gap that only increases or only decreases is lowest at one of the cell's ends.
       const Ball lowest = (direction * (c.sign != 0 ? c.change : c.range)).lower();
       if (grows || (height + min(lowest, Ball(0, bits_))).is_positive()) open[left ? i : n - 1 - i] = 1;
       const Ball least = (direction * c.change).lower();
@@ -341,8 +345,8 @@ class Decision {
     return {};
   }
 
-  /// Halves of the cells in which the gap's sign is open still, and of those that have a share in the error of all, if that is
-  /// given; the other cells as they are.
+  /// Returns the cells, with those halved in which the gap's sign is open, and, if `error` is given, those that
+  /// contribute to it.
   std::vector<Cell> divided(const std::vector<Cell>& cells, const std::vector<char>& open, const Ball* error) {
     const Ball share = error == nullptr ? Ball::unknown(bits_) : *error / Ball(4 * static_cast<int>(cells.size()));
     std::vector<Cell> result;

@@ -8,7 +8,7 @@ namespace {
 
 bool is_in_support(const Place& place) { return !place.from_left.is_negative() && !place.from_right.is_negative(); }
 
-/// The point of the contact set that the place is exactly.
+/// Returns the point of the contact set at exactly this place.
 std::optional<std::size_t> point_at(const Place& place) {
   if (place.from_left.is_zero()) return place.segment;
   if (place.from_right.is_zero()) return place.segment + 1;
@@ -42,7 +42,7 @@ EnclosedSolution::End EnclosedSolution::end(std::size_t j) const {
   const std::size_t segment = point.kind == Kind::begins ? j : j - 1;
   SingularKind kind = SingularKind::free;
   if (!point.vanishes) kind = j == 0 || j + 1 == set().points() ? SingularKind::edge : SingularKind::step;
-  // An exact place of the data stays exact.
+  // A place of the data stays exact.
   const Ball x = point.beside ? user(set().x(j)) : Ball(reduced_->place(point.anchor), bits_);
   return {x, kind, set().exponent(j), -amplitude(j, segment) * power(unit_, -set().power(j))};
 }
@@ -193,7 +193,7 @@ Ball EnclosedSolution::slope_limit(std::size_t j, Side side) const {
   const ContactTopology::Point& point = set().point(j);
   if (!contact && point.is_end() && !point.vanishes) return Ball::infinity(side == Side::left ? -1 : 1, bits_);
   const auto beside = [&](bool left) { return set().place_of(j, left ? j - 1 : j); };
-  // The surface leaves a free end along the profile of the contact.
+  // At a free end the surface continues along the profile of the contact.
   if (contact || point.is_end()) return compliance_ * form_.profile_slope(beside((side == Side::left) == contact));
   return slope_at(beside(j == set().segments() || (side == Side::left && j > 0)));
 }
@@ -231,12 +231,12 @@ EnclosedSolution::TwoSided EnclosedSolution::slope(const Rational& x) const {
 }
 
 std::optional<Ball> EnclosedSolution::gap(const Rational& x) const {
-  std::optional<Ball> lowest;  // of the two at a step
+  std::optional<Ball> lowest;  // the lower of the two gaps at a step
   for (const Side side : {Side::left, Side::right}) {
     const std::optional<Place> at = place(x, side);
     if (!at) return Ball::unknown(bits_);
     const std::optional<std::size_t> point = point_at(*at);
-    // Beside the support there is nothing.
+    // There is no gap outside the support.
     if (!is_in_support(*at) || (point && *point == (side == Side::left ? 0 : set().segments()))) continue;
     const bool contact = set().in_contact(at->segment) || (point && set().point(*point).is_end());
     const Ball here = contact ? Ball(0, bits_) : compliance_ * unit_ * ContactConditions(form_).gap_at(*at);

@@ -8,7 +8,7 @@
 namespace steadyslide::enclosure {
 namespace {
 
-/// Re, Im of (1/pi) int t/(x'-zeta), then of the same with the square.
+/// Re and Im of (1/pi) int t/(x'-zeta), then of the same with the square.
 using Potential = std::array<Ball, 4>;
 
 Potential no_potential(Bits bits) { return {Ball(0, bits), Ball(0, bits), Ball(0, bits), Ball(0, bits)}; }
@@ -19,11 +19,11 @@ void add(Potential& sum, const Ball& factor, const Potential& term) {
 
 class CauchyIntegral {
  public:
-  /// All in xi.
+  /// All arguments are in xi.
   CauchyIntegral(const TractionRepresentation& form, JacobiRules& rules, const Rational& x, const Rational& depth)
       : form_(form), set_(form.set()), rules_(rules), bits_(set_.bits()), x_(x, bits_), depth_(depth, bits_) {}
 
-  /// int t/(x'-zeta)^n over a segment in contact.
+  /// Returns int t/(x'-zeta)^n over a segment in contact.
   Potential over(std::size_t segment) const {
     Potential sum = no_potential(bits_);
     const auto near = [&](const ContactPanel::Part& part) { return distance(part); };
@@ -40,7 +40,7 @@ class CauchyIntegral {
   }
 
  private:
-  /// 1/(x'-zeta) and its square.
+  /// Returns 1/(x'-zeta) and its square.
   Potential kernel(std::size_t segment, const Ball& from_left) const {
     const Ball d = set_.x(segment) + from_left - x_;
     const Ball square = d * d + depth_ * depth_;
@@ -53,7 +53,7 @@ class CauchyIntegral {
     for (std::size_t i = 2; i < 4; ++i) sum[i] = Ball::plus_or_minus(sum[i], error * pole);
   }
 
-  /// From zeta to the panel, at least.
+  /// Returns a lower bound of the distance from zeta to the panel.
   Ball distance(const ContactPanel::Part& part) const {
     const Ball left = set_.x(part.segment) + part.from_left - x_;
     const Ball right = x_ - (left + x_ + part.length);
@@ -61,8 +61,8 @@ class CauchyIntegral {
     return sqrt(aside * aside + depth_ * depth_).lower();
   }
 
-  /// int (g - g_k) S/(x'-zeta)^n on a panel that touches c. With u = d/L, and log u = -int_u^1 dv/v,
-  /// int_0^1 f(u) log u du = -int_0^1 int_0^1 f(v w) dv dw: the rule is applied twice.
+  /// Returns int (g - g_k) S/(x'-zeta)^n on a panel that touches c. With u = d/L, and log u = -int_u^1 dv/v, int_0^1
+  /// f(u) log u du = -int_0^1 int_0^1 f(v w) dv dw, so the rule is applied twice.
   Potential singular_part(const TractionRule& rule, const Ball& pole) const {
     const ContactPanel::Part& part = rule.panel.part();
     const TractionRule::Singular& term = *rule.singular;

@@ -40,7 +40,7 @@ ContactStart::ContactStart(const ReducedProblem& problem, const ApproximateConta
     return static_cast<std::size_t>(found - problem.anchors.begin());
   };
   bool begins = true;
-  std::size_t next = 0;  // the first anchor that is not among the points yet
+  std::size_t next = 0;  // the first anchor that is not yet in the points
   const auto pass = [&](std::size_t count) {
     for (; next < std::min(count, problem.anchors.size()); ++next) topology.points.push_back({next});
   };
@@ -71,7 +71,7 @@ namespace {
 
 using Matrix = std::vector<std::vector<Ball>>;
 
-/// An approximate inverse of the square part: its error does not matter. Empty where there is none.
+/// Returns an approximate inverse of the square part; empty if there is none. Its error does not matter.
 Matrix approximate_inverse(const Matrix& matrix, Bits bits) {
   const std::size_t n = matrix.size();
   arb_mat_t a;
@@ -90,7 +90,7 @@ Matrix approximate_inverse(const Matrix& matrix, Bits bits) {
   return result;
 }
 
-/// The last column of the conditions' derivatives: by the load.
+/// Returns the last column of the conditions' derivatives, which is with respect to the load.
 std::vector<Ball> by_load(const Matrix& derivatives) {
   std::vector<Ball> result;
   for (const std::vector<Ball>& row : derivatives) result.push_back(row.back());
@@ -107,7 +107,7 @@ std::vector<Ball> product(const Matrix& matrix, const std::vector<Ball>& vector,
   return result;
 }
 
-/// Rules of no more bits serve as their own coarse ones.
+/// Rules with at most this many bits are also used as the coarse rules.
 constexpr Bits few_bits = 96;
 
 ReducedProblem at_middle_load(const ReducedProblem& problem) {
@@ -116,8 +116,8 @@ ReducedProblem at_middle_load(const ReducedProblem& problem) {
   return result;
 }
 
-/// At the rules' precision; nothing where points may be out of order, or where the budget is spent before its conditions are
-/// enclosed.
+/// Returns the form at the rules' precision. Absent if points may be out of order, or if the budget is spent before its
+/// conditions are enclosed.
 std::optional<TractionRepresentation> affordable_form(const ReducedProblem& problem, const ContactBox& box,
                                                       JacobiRules& rules, WorkBudget& work) {
   TractionRepresentation form = box.form(problem, count_for(rules.bits()), rules);
@@ -127,12 +127,12 @@ std::optional<TractionRepresentation> affordable_form(const ReducedProblem& prob
   return form;
 }
 
-/// An upper bound of the rounding error of x, with 8 bits to spare.
+/// Returns an upper bound of the rounding error of x, with 8 bits to spare.
 Ball rounding_of(const Ball& x, Bits bits) {
   return abs(x).upper() * power(Ball(2, bits), -static_cast<int>(bits) + 8);
 }
 
-/// One attempt, with F' enclosed by the rules `coarse`.
+/// Makes one attempt, with F' enclosed by the rules `coarse`.
 KrawczykResult attempt(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules, JacobiRules& coarse,
                        WorkBudget& work) {
   KrawczykResult result{false, {}, box};
@@ -195,13 +195,13 @@ KrawczykResult attempt(const ReducedProblem& problem, const ContactBox& box, Jac
   return result;
 }
 
-/// Where Newton's method leads, and how far its last step was.
+/// The result of Newton's method, and the length of its last step.
 struct Approach {
   std::vector<Ball> values;
   std::vector<Ball> widths;
 };
 
-/// From the middle of a box, with F' enclosed by the rules `coarse`; nothing where it does not converge.
+/// Newton's method from the middle of a box, with F' enclosed by the rules `coarse`. Absent if it does not converge.
 std::optional<Approach> newton(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules,
                                JacobiRules& coarse, WorkBudget& work) {
   const Bits bits = rules.bits();
@@ -210,10 +210,10 @@ std::optional<Approach> newton(const ReducedProblem& problem, const ContactBox& 
   std::vector<Ball>& values = result.values;
   for (const Ball& x : box.unknowns(tilts)) values.push_back(x.at(bits).midpoint());
   result.widths.assign(values.size(), Ball(0, bits));
-  // With the derivative where it starts, a step gains as many digits as the start has, or the derivative.
+  // With the derivative at the start, each step gains the number of correct digits of the start, or of the derivative.
   Matrix inverse;
   Ball before = Ball::unknown(bits);
-  // What is left Krawczyk's operator gains, whose F' has more bits than these.
+  // Krawczyk's operator gains the remaining digits, because its F' has more bits than these.
   const Ball enough = power(Ball(2, bits), -static_cast<int>(std::max(bits - few_bits + 8, bits * 2 / 3)));
   constexpr int most_steps = 40;
   for (int step = 0; step < most_steps && !values.empty(); ++step) {
@@ -221,12 +221,13 @@ std::optional<Approach> newton(const ReducedProblem& problem, const ContactBox& 
     const std::optional<TractionRepresentation> form = affordable_form(problem, here, rules, work);
     if (!form) return std::nullopt;
     const std::vector<Ball> conditions = ContactConditions(*form).conditions();
-    if (conditions.size() != values.size()) break;  // prove_zero() says so
+    if (conditions.size() != values.size()) break;  // prove_zero() reports it
     if (inverse.empty()) {
       const TractionRepresentation rough = here.form(problem, count_for(coarse.bits()), coarse);
       inverse = approximate_inverse(ContactConditions(rough).jacobian(), bits);
       if (inverse.empty() && step == 0 && tilts) {
-        // Under a flat punch that does not tilt no end could be free; any other tilt will do, the conditions are affine in it.
+        // Under a flat punch with tilt 0 no end could be free. Any other tilt is a valid start, because the conditions
+        // are affine in it.
         values.back() = Ball(1, bits);
         continue;
       }
@@ -241,8 +242,8 @@ std::optional<Approach> newton(const ReducedProblem& problem, const ContactBox& 
       noise = max(noise, change[i].radius());
     }
     if (largest < enough) break;
-    // The next step would be shorter by the derivative's error, which has the start's digits, or the coarse rules': where it
-    // shows nothing it is not made.
+    // The next step would be shorter by the factor of the derivative's error, which is that of the start or of the
+    // coarse rules. If it would have no effect, it is not made.
     const Ball error =
         power(Ball(2, bits), 16) * max(largest, noise * power(Ball(2, bits), static_cast<int>(bits - coarse.bits())));
     if (largest * error < max(enough, noise)) {
@@ -251,7 +252,7 @@ std::optional<Approach> newton(const ReducedProblem& problem, const ContactBox& 
       }
       break;
     }
-    // Once rounding and the quadrature's error are reached, steps no longer shrink.
+    // At the level of rounding and of the quadrature's error, steps no longer decrease.
     if (before.is_finite() && !(largest < before * Ball(Rational(1, 16), bits))) {
       if (before < power(Ball(2, bits), -static_cast<int>(bits) / 2)) break;
       inverse.clear();
@@ -261,7 +262,7 @@ std::optional<Approach> newton(const ReducedProblem& problem, const ContactBox& 
   return result;
 }
 
-/// The first steps at few bits, and twice as many from there on.
+/// Makes the first steps with few bits, then doubles the bits.
 std::optional<Approach> approach(const ReducedProblem& problem, ContactBox box, JacobiRules& rules, WorkBudget& work) {
   if (rules.bits() <= few_bits) return newton(problem, box, rules, rules, work);
   JacobiRules half(std::max(rules.bits() / 2, few_bits));
@@ -275,7 +276,7 @@ std::optional<Approach> approach(const ReducedProblem& problem, ContactBox box, 
 
 KrawczykResult prove_zero(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules, WorkBudget& work) {
   if (rules.bits() <= few_bits) return attempt(problem, box, rules, rules, work);
-  // A few digits of F' are enough: they multiply the box's width.
+  // A few digits of F' are sufficient, because F' is multiplied by the box's width.
   JacobiRules coarse(few_bits);
   KrawczykResult result = attempt(problem, box, rules, coarse, work);
   return result.proved ? result : attempt(problem, box, rules, rules, work);
@@ -315,7 +316,7 @@ std::optional<ContactBox> box_for_loads(const ReducedProblem& problem, const Con
     if (!form) break;
     const ContactConditions at_form(*form);
     const std::vector<Ball> conditions = at_form.conditions();
-    if (values.empty() || conditions.size() != values.size()) return here;  // prove_zero() says what is wrong
+    if (values.empty() || conditions.size() != values.size()) return here;  // prove_zero() reports the reason
     const Matrix derivatives = at_form.jacobian();
     const Matrix inverse = approximate_inverse(derivatives, bits);
     if (inverse.empty() || !all_finite(conditions)) break;

@@ -1,14 +1,15 @@
 #pragma once
-// Exactly one zero of a contact set's conditions in a box. With F the conditions, v the midpoint of the box V, C an
-// approximate inverse of F'(v), Krawczyk's operator
+// Proves that a contact set's conditions have exactly one zero in a box. With the conditions F, the midpoint v of the
+// box V, and an approximate inverse C of F'(v): if Krawczyk's operator
 //
 //   K(V) = v - C F(v) + (1 - C F'(V)) (V - v)
 //
-// maps V into its interior: then F has one zero in V, and it lies in K(V). (F' is enclosed on all of V, on which the
-// points keep their order; Brouwer's theorem for existence, |1 - C F'(V)| < 1 for uniqueness.)
+// maps V into its interior, then F has exactly one zero in V, and it lies in K(V). (F' is enclosed on all of V, on
+// which the points keep their order; Brouwer's theorem for existence, |1 - C F'(V)| < 1 for uniqueness.)
 //
-// Where the problem's load is any from p - r to p + r, F(v; load) = F(v; p) + dF/dload (load - p), since the load enters
-// linearly, and -C dF/dload [-r, r] belongs to K(V): then there is exactly one zero in V for each of these loads.
+// If the problem has all loads from p - r to p + r, then F(v; load) = F(v; p) + dF/dload (load - p), because F is
+// linear in the load, and -C dF/dload [-r, r] is added to K(V). Then there is exactly one zero in V for each of these
+// loads.
 
 #include <optional>
 #include <string>
@@ -25,20 +26,20 @@ struct ContactBox {
   ContactTopology topology;
   std::vector<Ball> log_offsets;
   std::vector<Ball> q;
-  Ball tilt;  ///< 0 exactly where the indenter keeps its attitude
+  Ball tilt;  ///< exactly 0 if the indenter cannot tilt
 
-  /// All of them in one list. A tilt that is not unknown may be left out.
+  /// Returns all unknowns in one list. A tilt that is not unknown may be left out.
   std::vector<Ball> unknowns(bool with_tilt = true) const;
   ContactBox with(const std::vector<Ball>& unknowns) const;
-  /// At the rules' precision, with `count` nodes a panel.
+  /// Returns the form at the rules' precision, with `count` nodes for each panel.
   TractionRepresentation form(const ReducedProblem& problem, int count, JacobiRules& rules) const;
 };
 
-/// The points of a contact as a solver found it, the problem's other anchors among them; empty offsets where the contact
-/// names an anchor that the problem does not have.
+/// The points of a contact that a solver found, together with the problem's other anchors. The offsets are empty if the
+/// contact names an anchor that the problem does not have.
 struct ContactStart {
   ContactTopology topology;
-  std::vector<Rational> offsets;  ///< of the movable ends, in xi, > 0
+  std::vector<Rational> offsets;  ///< offsets of the movable ends, in xi, > 0
 
   ContactStart(const ReducedProblem& problem, const ApproximateContact& contact);
   ContactBox box(Bits bits) const;
@@ -46,27 +47,29 @@ struct ContactStart {
 
 struct KrawczykResult {
   bool proved = false;
-  std::string reason;  ///< why not
-  ContactBox box;      ///< K(V), if proved; else the best state reached
-  /// The zeros for the smallest and the largest load alone, if proved: K(V) of these, of second order in V's width.
+  std::string reason;  ///< the reason if it is not proved
+  ContactBox box;      ///< K(V) if proved; otherwise the best state reached
+  /// If proved: K(V) for the smallest load only and for the largest load only. Their width is of second order in V's
+  /// width.
   ContactBox at_smallest = {};
   ContactBox at_largest = {};
 };
 
-// All of them end when the budget of work is spent.
+// All these functions stop when the work budget is spent.
 
-/// Does the box hold exactly one zero? No Newton step before it: the box is taken as it is.
+/// Proves that the given box contains exactly one zero. It makes no Newton step before.
 KrawczykResult prove_zero(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules, WorkBudget& work);
-/// Newton's method from the middle of a box, then a box around where it leads, for one load. The conditions are affine in q
-/// and the tilt, which its first step finds from nothing.
+/// For one load: Newton's method from the middle of a box, then a proof for a box around its result. The conditions are
+/// affine in q and the tilt, so the first step finds these from any start.
 KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules, WorkBudget& work);
 
-/// The box of the zeros for all of a problem's loads, to first order, with a margin: Newton's method from the middle of
-/// `guess` to the middle load's zero, and |dv/dload| from there. Proves nothing; nothing where it does not converge.
+/// Returns a box of the zeros for all of a problem's loads, to first order, with a margin: Newton's method from the
+/// middle of `guess` to the zero of the middle load, and |dv/dload| there. This is not a proof. Absent if it does not
+/// converge.
 std::optional<ContactBox> box_for_loads(const ReducedProblem& problem, const ContactBox& guess, JacobiRules& rules,
                                         WorkBudget& work);
 
-/// Nodes a panel that leave the quadrature's error at the precision's rounding.
+/// Returns the number of nodes for each panel at which the quadrature error is that of rounding.
 int count_for(Bits bits);
 
 }  // namespace steadyslide::enclosure

@@ -18,7 +18,7 @@ void check_contact(const EnclosedSolution& solution, const SurfaceMesh& mesh) {
   if (right > Ball(mesh.nodes().back(), right.bits())) refuse(right, mesh.nodes().size() - 1);
 }
 
-/// The shape functions of the element of these nodes, in xi.
+/// Returns the shape functions of the element with these nodes, in xi.
 std::vector<BallPolynomial> shape_functions(const std::vector<Rational>& xi, Bits bits) {
   std::vector<BallPolynomial> result;
   for (std::size_t i = 0; i < xi.size(); ++i) {

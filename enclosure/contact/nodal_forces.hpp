@@ -3,7 +3,8 @@
 //
 //   normal_i = -int t N_i dx   along +z, into the body,      tangential_i = int t_t N_i dx   along +x,
 //
-// per unit of thickness, enclosed. Linear elements have the nodes at their ends, quadratic ones a third in their middle.
+// per unit of thickness, enclosed. Linear elements have nodes at their ends; quadratic ones have a third node in the
+// middle.
 
 #include <vector>
 
@@ -16,8 +17,9 @@ struct NodalForce {
   Ball tangential;
 };
 
-/// `nodes` increase. Throws InvalidData where they do not, where a quadratic element's third node is not in its middle or
-/// missing, and where contact may lie outside the mesh. A force is not finite where a node may be a free end of contact.
+/// Returns the forces. Throws InvalidData if the nodes do not increase, if a quadratic element's third node is missing
+/// or not in its middle, or if contact may lie outside the mesh. A force is not finite if a node may be a free end of
+/// contact.
 std::vector<NodalForce> nodal_forces(const EnclosedSolution& solution, const std::vector<Rational>& nodes, int order);
 
 }  // namespace steadyslide::enclosure

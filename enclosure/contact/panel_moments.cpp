@@ -8,7 +8,7 @@
 namespace steadyslide::enclosure {
 namespace {
 
-/// The least number of terms after which ratio^terms <= 4^-most; ratio <= 1/4.
+/// Returns the smallest number of terms with ratio^terms <= 4^-most; ratio <= 1/4.
 std::size_t terms_of(const Ball& ratio, std::size_t most) {
   const double rate = -rough_log2(ratio.upper());
   const Ball cut = power(Ball(2, 64), -2 * static_cast<int>(most));

@@ -5,7 +5,7 @@
 namespace steadyslide::enclosure {
 namespace {
 
-/// (1 - sinc x)/x^2 = 1/6 - x^2/120 + ..., |x| <= pi: terms of both signs in turn, which fall.
+/// (1 - sinc x)/x^2 = 1/6 - x^2/120 + ..., |x| <= pi: an alternating series with decreasing terms.
 Ball sinc_defect(const Ball& x) {
   const Bits bits = x.bits();
   const Ball square = x * x;
@@ -70,7 +70,8 @@ Ball PowerAtPoint::singular_part(const Ball& d, int m) const {
     return Ball::hull(upper.is_positive() ? at(upper) : Ball(1) / a_, Ball(1) / a_);
   }
   if (!upper.is_positive()) return zero;
-  // Its derivative by log d is d^m (m E - (d/L)^a): the function increases up to `upper` if that is positive there.
+  // The derivative with respect to log d is d^m (m E - (d/L)^a). If it is positive at `upper`, the function increases
+  // up to `upper`.
   const Ball logarithm = log(length_ / upper);
   const Ball rising = is_zero_ ? logarithm : expm1(a_ * logarithm) / a_;
   const Ball most = Ball(m) * rising > Ball(1)

@@ -13,7 +13,8 @@ std::optional<PunchCore> punch_core(const ContactProblem& problem, Bits bits) {
 
   const Rational centre = (punch.left() + punch.right()) / 2;
   const Rational half_length = (punch.right() - punch.left()) / 2;
-  // 1 - M_0 as int (1/2 - alpha), which large friction would cancel; -M_1 as int y (1/2 - alpha), likewise.
+  // Computes 1 - M_0 as int (1/2 - alpha), because for large friction the difference would cancel; similarly -M_1 as
+  // int y (1/2 - alpha).
   Ball below(0, bits), above(0, bits), below_moment(0, bits), above_moment(0, bits);
   for (const ContactProblem::Piece& piece : problem.pieces()) {
     const Exponent alpha = Exponent::angle(problem.coupled_friction(piece.friction));

@@ -1,11 +1,11 @@
 #pragma once
-// Where the load may act on a rigid flat punch that is free to tilt, so that it stays in full contact. With y from -1 to 1
-// over the support, alpha = arctan(s)/pi and M_j = int y^j alpha dy,
+// The core of a rigid flat punch that is free to tilt: if the load acts there, the punch stays in full contact. With y
+// from -1 to 1 over the support, alpha = arctan(s)/pi and M_j = int y^j alpha dy, the core is
 //
 //   from M_1/(1+M_0) - (1+M_0)/2 to (1-M_0)/2 - M_1/(1-M_0).
 //
-// (The traction is -t_0 (P + k (y + M_0)) for a slope k, the variance of t_0 is (1 - M_0^2)/2 - M_1; t <= 0 at both ends bounds
-// k.) All are sums of finitely many terms; |M_0| < 1.
+// (The traction is -t_0 (P + k (y + M_0)) for a slope k, the variance of t_0 is (1 - M_0^2)/2 - M_1; t <= 0 at both
+// ends gives the bounds of k.) All quantities are finite sums; |M_0| < 1.
 
 #include <optional>
 
@@ -19,7 +19,7 @@ struct PunchCore {
   Ball right;
 };
 
-/// In the user's x. Absent unless the punch is rigid and its profile is constant.
+/// Returns the core in the user's x. Absent unless the punch is rigid and its profile is constant.
 std::optional<PunchCore> punch_core(const ContactProblem& problem, Bits bits);
 
 }  // namespace steadyslide::enclosure

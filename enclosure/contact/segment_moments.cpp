@@ -6,7 +6,7 @@
 namespace steadyslide::enclosure {
 namespace {
 
-/// As many as a place takes that is half the segment's length away from it.
+/// Returns the number of terms for a place at a distance of half the segment's length.
 std::size_t terms(Bits bits) { return static_cast<std::size_t>(bits) + 4; }
 
 }  // namespace
@@ -56,7 +56,7 @@ std::optional<Ball> SegmentMoments::seen_from(const Ball& distance, Side facing)
   if (!(ratio * Ball(2) < Ball(1)) || !(distance.radius() * power(Ball(2, 64), 20) < distance)) return std::nullopt;
   const double bits_per_term = -std::log2(ratio.to_double()) * 0.999;
   const auto count = static_cast<std::size_t>(static_cast<double>(bits_) / bits_per_term) + 2;
-  // A division costs as much as three products.
+  // One division costs as much as three products.
   if (count > std::min(3 * nodes_, moments_.size())) return std::nullopt;
   Ball inverse = Ball(1) / to_middle;
   if (facing == Side::left) inverse = -inverse;

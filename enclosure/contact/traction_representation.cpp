@@ -7,12 +7,12 @@
 namespace steadyslide::enclosure {
 namespace {
 
-/// An expansion costs as much as so many.
+/// An expansion costs as much as this number of panels.
 constexpr std::size_t few_panels = 12;
-/// So many segments in contact are seen from each other by the moments of each.
+/// From this number of segments in contact on, sums over other segments use the moments of each segment.
 constexpr std::ptrdiff_t many_segments = 4;
 
-/// sum v_i/(to_segment + y_i): as many terms as nothing else here has.
+/// Returns sum v_i/(to_segment + y_i). This is the sum with the most terms in this file.
 Ball cauchy_sum(const ContactPanel& panel, const std::vector<Ball>& values, const Ball& to_segment, bool to_the_right) {
   const Bits bits = to_segment.bits();
   Ball sum(0, bits), term(0, bits);
@@ -30,7 +30,7 @@ Ball cauchy_sum(const ContactPanel& panel, const std::vector<Ball>& values, cons
 int LocalValue::sign() const {
   const auto decided = [](const Ball& x) { return x.is_positive() ? 1 : x.is_negative() ? -1 : 0; };
   if (has_singular && least.is_positive()) {
-    // C times anything from `least` on.
+    // C times any number >= `least`.
     const int leading = decided(coefficient);
     if (leading != 0 && decided(regular + coefficient * least) == leading) return leading;
   }
@@ -61,7 +61,7 @@ void TractionRepresentation::expand_at_infinity() {
   int highest = 0;
   for (const Slope& slope : slopes_) highest = std::max(highest, slope.exact.degree());
   const int terms = highest + std::abs(set_.degree_at_infinity()) + static_cast<int>(q_.size()) + 4;
-  std::vector<Ball> sums;  // of p_j e_j^n
+  std::vector<Ball> sums;  // sums of p_j e_j^n
   for (int n = 1; n <= terms; ++n) {
     Ball sum(0, bits);
     for (std::size_t j = 0; j < set_.points(); ++j) {
@@ -151,7 +151,7 @@ Ball TractionRepresentation::distance(const Place& place, std::size_t j) const {
 }
 
 Ball TractionRepresentation::coordinate(const Place& place) const {
-  // From the nearer point, whose distance is the thinner one.
+  // Measure from the nearer point, because its distance is the thinner ball.
   return place.from_left < place.from_right ? set_.x(place.segment) + place.from_left
                                             : set_.x(place.segment + 1) - place.from_right;
 }
@@ -198,7 +198,7 @@ void TractionRepresentation::add_cauchy(std::size_t k, std::size_t segment, cons
   }
   const std::size_t count = panels_[segment].size();
   PanelMoments::Rest rest{Ball(0, set_.bits()), 0, count};
-  // An expansion loses what a wide distance leaves of it.
+  // An expansion is useless for a wide distance.
   const bool is_thin = to_segment.radius() * power(Ball(2, 64), 20) < to_segment;
   if (count > few_panels && is_thin) {
     if (const PanelMoments* all = moments(difference, segment, place.segment)) {
@@ -251,7 +251,7 @@ const PanelMoments* TractionRepresentation::moments(const Difference& difference
   if (made && made->cover(here)) return made.get();
   if (2 * ++difference.asked[side] <= set_.bits()) return made.get();
   difference.asked[side] = 0;
-  // For one segment first; for every distance when another one asks.
+  // At first for the distances of one segment; for all distances when another segment needs the moments.
   const std::optional<PanelMoments::Range> expected = made ? std::nullopt : std::optional(here);
   made = std::make_shared<PanelMoments>(panels_[segment], difference.values, difference.sizes, facing, expected,
                                         set_.bits());
@@ -268,7 +268,7 @@ void TractionRepresentation::add_beside(const ContactPanel& panel, const Differe
   const Ball& a = panel.power();
   const Ball pi = Ball::pi(bits);
 
-  // G(-d) without the zero of order m that it has from g - g_k.
+  // G(-d) without the zero of order m of g - g_k.
   const Rational& c_exact = set_.problem().anchors[set_.point(c).anchor].x;
   int m = 0;
   for (Polynomial exact = difference.exact; exact(c_exact) == 0; exact = exact.derivative()) ++m;
@@ -294,7 +294,7 @@ void TractionRepresentation::add_beside(const ContactPanel& panel, const Differe
       panel.remainder(panel.largest(difference.coefficients, Ellipse::beside) * pole_bound(clear), Ellipse::beside));
   total = Ball::plus_or_minus(total, panel.end_remainder(abs(at_place) * pole_bound(clear), Ellipse::beside));
 
-  // G(-d) times Cauchy's integral of y^a, its singular term apart: (-1/pi) of it belongs to B.
+  // G(-d) times Cauchy's integral of y^a, without its singular term. (-1/pi) times this is part of B.
   const Ball sign(to_the_right ? 1 : -1, bits);
   const PowerAtPoint at_c(a, set_.is_regular(c), part.length);
   sum.regular += sign * (total + at_place * at_c.analytic_part(d));

@@ -13,7 +13,7 @@ std::optional<ContactBox> closed_gap(const ReducedProblem& problem, const Contac
   const auto ends = std::count_if(points.begin(), points.end(), [](const auto& point) { return point.is_end(); });
   const auto is_edge = [](const auto& point) { return point.is_end() && !point.vanishes; };
   if (ends != 4 || !is_edge(points.front()) || !is_edge(points.back())) return std::nullopt;
-  // Of four ends two are the support's: the others are the gap's.
+  // Two of the four ends are ends of the support; the others are the ends of the gap.
   const std::size_t j = movable[0] + 1;
   const std::size_t c = points[j].anchor;
   if (points[j].is_end() || problem.anchors[c].step != 0) return std::nullopt;
@@ -41,7 +41,7 @@ std::optional<FullContactFrom> full_contact_from(const ReducedProblem& problem, 
   if (!proof_at(from).refuted) return std::nullopt;
   if (proof_at(to).refuted) return FullContactFrom{to, std::nullopt};
   FullContactFrom result{from, std::nullopt};
-  // By halves, which undecided loads end: they are as close to the load in question as the precision allows.
+  // Bisection. It stops at undecided loads, which are as close to the closing load as the precision allows.
   constexpr int most_halves = 64;
   Rational open = to;
   for (int i = 0; i < most_halves; ++i) {

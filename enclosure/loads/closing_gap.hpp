@@ -1,44 +1,49 @@
 #pragma once
-// A gap that can but close. Let a solution at the load P_1 have contact K on the whole support but for one gap, over a wedge c
-// without a step, with free ends e_1 < c < e_2 in the intervals beside c, where psi'' >= 0 between e_1 and c and between c and
-// e_2; the indenter keeps its attitude. Then for every P >= P_1 up to the load P* at which the gap closes there is a solution with
-// this topology, one branch that depends continuously on P, and its gap shrinks. The steps:
+// A gap that can only close. Let a solution at the load P_1 have contact K on the whole support except one gap. The gap
+// lies over a wedge c without a step, with free ends e_1 < c < e_2 in the intervals beside c, and psi'' >= 0 between
+// e_1 and c and between c and e_2. The indenter cannot tilt. Then for every P >= P_1 up to the load P* at which the gap
+// closes there is a solution with this topology. These solutions are one branch, which depends continuously on P, and
+// the gap shrinks. The steps:
 //
-//   gap        where t = 0, gap'' = psi'' - (1/pi) int t/(x'-x)^2 > 0: from a free end, where gap = gap' = 0, both flanks rise
-//              up to c. So the gap is > 0, and gap' ~ theta d^lambda with theta > 0 at both ends, for any zero of the conditions
-//              with t <= 0.
-//   branch     a change of the ends without one of the load has dt = |Y| q/prod |x - e_f| with a constant q and no root in the
-//              gap, where the change of gap' has to change its sign: F' is regular, and the zeros are a curve.
-//   pressure   along it dt/dP = -t_0, A t_0 = 0 on K: t_0 = eps cos(pi alpha) |Y|/((x - e_1)(x - e_2)) q, where q is linear with its
-//              only root in the gap, since the gap stays closed at both ends: t_0 has one sign, that of a pressure. So t falls all
-//              over K and stays <= 0, and with theta > 0 both ends move into the gap.
-//   closing    the curve ends where e_1 or e_2 reaches c. With kappa > 0 a bound of gap'' from below, both flanks are convex, so
-//              that kappa (e_2 - c)^2/2 <= gap(c) <= (c - e_1) |[psi']|, and the same from the other side: both reach c together.
-//              There t, which falls with a load that stays finite, has a limit in L^p, p > 1 (t_0 has, for all gaps), that
-//              solves A t = psi' on the whole support and is <= 0: the traction of full contact.
-//   until      full contact's traction falls with the load as well. Where it is positive somewhere at a load P_0, it is at every
-//              load up to P_0: P* > P_0.
+//   gap        Where t = 0, gap'' = psi'' - (1/pi) int t/(x'-x)^2 > 0. From a free end, where gap = gap' = 0, both
+//              flanks rise up to c. So for any zero of the conditions with t <= 0 the gap is > 0, and gap' ~ theta
+//              d^lambda with theta > 0 at both ends.
+//   branch     A change of the ends at constant load has dt = |Y| q/prod |x - e_f| with a constant q. It has no root in
+//              the gap, but there the change of gap' must change its sign. So F' is regular, and the zeros are a curve.
+//   pressure   Along the curve dt/dP = -t_0, A t_0 = 0 on K: t_0 = eps cos(pi alpha) |Y|/((x - e_1)(x - e_2)) q, where q
+//              is linear. Its only root is in the gap, because the gap stays closed at both ends. So t_0 has one sign,
+//              that of a pressure; t decreases everywhere on K and stays <= 0; and with theta > 0 both ends move into
+//              the gap.
+//   closing    The curve ends where e_1 or e_2 reaches c. Let kappa > 0 be a lower bound of gap''. Both flanks are
+//              convex, so kappa (e_2 - c)^2/2 <= gap(c) <= (c - e_1) |[psi']|, and the same from the other side: both
+//              ends reach c together. There t decreases with the load, which stays finite. So t has a limit in L^p for
+//              p > 1 (t_0 has one, for all gaps). The limit solves A t = psi' on the whole support and is <= 0: it is the
+//              traction of full contact.
+//   until      The traction of full contact also decreases with the load. If it is positive somewhere at a load P_0, it
+//              is positive there at every load up to P_0, so P* > P_0.
 //
-// So the proof is one of the solution at P_1 and, at P_0, of a place where full contact pulls. It needs no gap but the first one,
-// and no theorem of uniqueness. Above P* full contact is proved as any other. (In units of P*, the length of a gap over straight
-// flanks and a rising jump of friction is (C(1 - P/P*))^(1/|beta|) at last, 1/|beta| from 20 on: its logarithm's slope is 1/|beta|
-// over the distance from the event, and intervals of loads would be as short as beta^2 times that.)
+// So it is sufficient to prove the solution at P_1 and, at P_0, a place where full contact has tension. The proof needs
+// no gap except the first one, and no uniqueness theorem. Above P* full contact is proved like any other contact. (In
+// units of P*, the length of a gap over straight flanks and a rising friction jump is finally (C(1 - P/P*))^(1/|beta|),
+// 1/|beta| from 20 on. The slope of its logarithm is 1/|beta| over the distance from the event, and intervals of loads
+// would be as short as beta^2 times this distance.)
 
 #include "enclosure/contact/contact_proof.hpp"
 
 namespace steadyslide::enclosure {
 
-/// Full contact, if the contact is as it is said above.
+/// Returns full contact, if the contact satisfies the assumptions above.
 std::optional<ContactBox> closed_gap(const ReducedProblem& problem, const ContactBox& box);
 
-/// The load at which full contact begins, between two others.
+/// Two loads that enclose the load at which full contact begins.
 struct FullContactFrom {
-  Rational refuted;                ///< full contact pulls somewhere at this load, and at smaller ones
-  std::optional<Rational> proved;  ///< at this load it does not; absent if it does at all loads, or that is not decided
+  Rational refuted;                ///< full contact has tension somewhere at this load, and at smaller ones
+  std::optional<Rational> proved;  ///< at this load it has no tension; absent if it has at all loads, or undecided
 };
 
-/// Between `from` and `to`, no further apart than `width` times the load, and neither of them where that can be decided. Nothing
-/// where full contact is not refuted at `from`.
+/// Returns two such loads between `from` and `to`, with a distance of at most `width` times the load. Neither of them
+/// is `from` or `to`. Both hold only as far as the loads can be decided. Absent if full contact is not refuted at
+/// `from`.
 std::optional<FullContactFrom> full_contact_from(const ReducedProblem& problem, const ContactBox& full,
                                                  const Rational& from, const Rational& to, const Rational& width,
                                                  JacobiRules& rules, WorkBudget& work);

@@ -5,16 +5,16 @@ namespace {
 
 using Point = ContactTopology::Point;
 
-/// The anchor on the left of a free end.
+/// Returns the anchor on the left of a free end.
 std::size_t interval_of(const Point& end) { return end.anchor - (*end.beside == Side::left ? 1 : 0); }
 
-/// The length of the interval in which a free end lies.
+/// Returns the length of the interval in which a free end lies.
 Ball length_around(const ReducedProblem& problem, const Point& end, Bits bits) {
   const std::size_t k = interval_of(end);
   return Ball(Rational(problem.anchors[k + 1].x - problem.anchors[k].x), bits);
 }
 
-/// Sees a free end from the other one of the two anchors around it.
+/// Expresses a free end by the other one of the two anchors around it.
 void turn(const ReducedProblem& problem, Point& end, Ball& log_offset) {
   log_offset = log(length_around(problem, end, log_offset.bits()) - exp(log_offset));
   const bool from_left = *end.beside == Side::right;

@@ -1,6 +1,6 @@
 #pragma once
-// A free end between two anchors can be seen from either: c_k + h = c_{k+1} - h', h' = c_{k+1} - c_k - h. Both say the same
-// contact set; the nearer anchor says it with more digits, and the end is where it is as long as it lies between them.
+// A free end between two anchors can be expressed by each of them: c_k + h = c_{k+1} - h', h' = c_{k+1} - c_k - h. Both
+// describe the same contact set, as long as the end lies between the anchors. The nearer anchor gives more digits.
 
 #include <optional>
 
@@ -8,10 +8,10 @@
 
 namespace steadyslide::enclosure {
 
-/// Each free end seen from the nearer of the two anchors around it.
+/// Returns the box with each free end expressed by the nearer of the two anchors around it.
 ContactBox seen_from_nearer(const ReducedProblem& problem, const ContactBox& box);
 
-/// The free ends seen from the anchors of `other`; nothing where that is another contact set.
+/// Returns the box with the free ends expressed by the anchors of `other`; absent if `other` is another contact set.
 std::optional<ContactBox> seen_from(const ReducedProblem& problem, const ContactBox& box, const ContactTopology& other);
 
 }  // namespace steadyslide::enclosure

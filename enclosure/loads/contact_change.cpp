@@ -8,13 +8,13 @@ namespace {
 
 constexpr Bits change_bits = 64;
 
-/// A contact set, and its zones of contact.
+/// A contact set and its contact zones.
 struct Zones {
   Zones(const ReducedProblem& problem, const ContactBox& box)
       : set(problem, box.topology, box.log_offsets, change_bits), runs(set.components()) {}
 
   std::size_t size() const { return runs.size(); }
-  // Zone i's ends: points, and where they are.
+  // The ends of zone i: points and their places.
   std::size_t first(std::size_t i) const { return runs[i].first; }
   std::size_t last(std::size_t i) const { return runs[i].last + 1; }
   const Ball& left(std::size_t i) const { return set.x(first(i)); }
@@ -32,7 +32,7 @@ class Change {
 
   std::string words() const {
     std::vector<std::string> changes;
-    // Zones that have places in common belong together: from left to right.
+    // Zones with common places belong together. Go from left to right.
     std::size_t i = 0, j = 0;
     while (i < before_.size() || j < after_.size()) {
       const std::size_t i_from = i, j_from = j;
@@ -64,7 +64,7 @@ class Change {
     return "near x = " + text.str();
   }
 
-  /// "the friction jump at x = 0.2".
+  /// Returns text such as "the friction jump at x = 0.2".
   std::string anchor(std::size_t k) const {
     const ReducedProblem::Anchor& at = problem_.anchors[k];
     std::string kind = "the place";
@@ -80,10 +80,10 @@ class Change {
     return kind + " at x = " + to_string(problem_.place(k));
   }
 
-  /// Every gap among zones i to j - 1.
+  /// Adds every gap between the zones i to j - 1.
   void gaps(const Zones& zones, std::size_t i, std::size_t j, std::vector<std::string>& changes) const {
     for (; i + 1 < j; ++i) {
-      // A gap over one anchor is named by it.
+      // A gap over one anchor is named after the anchor.
       const std::size_t next = zones.last(i) + 1;
       const bool over_anchor = next + 1 == zones.first(i + 1);
       const std::string where = over_anchor ? "over " + anchor(zones.set.point(next).anchor)
@@ -113,7 +113,7 @@ class Change {
   void end(const std::string& side, const ContactTopology::Point& before, const ContactTopology::Point& after,
            std::vector<std::string>& changes) const {
     const std::string name = "the " + side + " end of contact ";
-    // Free ends lie between an anchor and the next one.
+    // A free end lies between an anchor and the next one.
     const auto interval = [](const ContactTopology::Point& p) { return p.anchor - (*p.beside == Side::left ? 1 : 0); };
     if (before.beside && after.beside) {
       const std::size_t from = interval(before), to = interval(after);

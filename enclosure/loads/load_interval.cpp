@@ -7,7 +7,7 @@
 namespace steadyslide::enclosure {
 namespace {
 
-/// The box around two, each of its intervals longer by an eighth.
+/// Returns a box around two boxes, with each interval longer by an eighth.
 ContactBox around(const ContactBox& a, const ContactBox& b) {
   std::vector<Ball> both = a.unknowns();
   std::ranges::transform(both, b.unknowns(), both.begin(), [](const Ball& x, const Ball& y) {
@@ -35,10 +35,11 @@ LoadInterval prove_loads(const ReducedProblem& problem, const Rational& from, co
   }
   result.box = *first;
   KrawczykResult zero = prove_zero(all, result.box, rules, work);
-  // What K(V) needs more is of second order in the interval's length: where V has grown a few times, that is too long.
+  // The excess of K(V) is of second order in the interval's length. If V has grown a few times, the interval is too
+  // long.
   constexpr int most_boxes = 5;
   for (int i = 1; i < most_boxes && !zero.proved; ++i) {
-    if (contains(result.box, zero.box)) break;  // no image that V could grow by
+    if (contains(result.box, zero.box)) break;  // K(V) does not make V larger
     result.box = around(result.box, zero.box);
     zero = prove_zero(all, result.box, rules, work);
   }

@@ -13,13 +13,13 @@ namespace {
 
 using Stretch = LoadStretch::Kind;
 
-/// A load, and the zero there.
+/// A load and its zero.
 struct Place {
   Rational load;
   ContactBox zero;
 };
 
-/// On the line through two zeros; where they are seen from other anchors, the nearer one of them.
+/// Returns a prediction on the line through two zeros; if their anchors differ, the nearer zero.
 ContactBox predicted(const ReducedProblem& problem, const std::optional<Place>& before, const Place& here,
                      const Rational& load) {
   if (!before) return here.zero;
@@ -37,7 +37,7 @@ struct Failure {
   std::string reason;
 };
 
-/// What is proved of some loads, and what is not, in the order in which it was tried.
+/// Proved and unproved intervals of some loads, in the order of the attempts.
 struct Found {
   std::vector<LoadStretch> proved;
   std::vector<Failure> failures;
@@ -52,7 +52,7 @@ struct Found {
   }
 };
 
-/// From one load to another.
+/// The result of steps from one load to another.
 struct March {
   Rational reached;
   Found found;
@@ -71,7 +71,8 @@ class Follower {
     has_notch_ = std::ranges::any_of(problem_.anchors, [](const auto& anchor) { return anchor.wedge < 0; });
   }
 
-  /// Proves what it can of the loads: all of them, with what is not proved between what is.
+  /// Proves as many loads as possible. Returns stretches for all loads: the proved ones, and the unproved ones in
+  /// between.
   std::vector<LoadStretch> follow(const Rational& from, const Rational& to) {
     WorkBudget work(options_.work);
     found_ = fill(from, to, 12, work);
@@ -82,7 +83,8 @@ class Follower {
     const auto is_open = [&](std::size_t i) {
       return low(i) < high(i) || (i > 0 && i < found_.proved.size() && !are_joined(i));
     };
-    // Unproved loads closer to each other than an event is wide are one: what was proved in between tells nobody anything.
+    // Unproved loads whose distance is below the width of an event become one stretch. Proved loads between them are
+    // useless.
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i <= found_.proved.size(); ++i) {
       if (!is_open(i)) continue;
@@ -107,7 +109,8 @@ class Follower {
   }
 
  private:
-  /// A part that hardly anything can be proved of is left open. Tasks beside each other have half of the budget each.
+  /// Fills the loads from `low` to `high`. A part in which almost nothing can be proved stays open. Parallel tasks get
+  /// half of the budget each.
   Found fill(const Rational& low, const Rational& high, int depth, WorkBudget& work) {
     Found found;
     if (depth == 0 || high - low <= options_.width * high) return found;
@@ -115,7 +118,7 @@ class Follower {
       found.fail((low + high) / 2, "the budget of work is spent");
       return found;
     }
-    // Where a gap closes, its first load is all that it takes.
+    // For a closing gap, a proof at its first load is sufficient.
     if (has_notch_ && !options_.intervals_alone) {
       const std::optional<Place> first = start_at(low, found, work);
       const std::optional<Rational> up = first ? close_gap(*first, high, found, work) : std::nullopt;
@@ -124,7 +127,7 @@ class Follower {
         return found;
       }
     }
-    // An event may lie at any of these loads, at least where the data are round numbers.
+    // An event may lie exactly at one of these loads, especially if the data are round numbers.
     for (const int sixteenths : {7, 11, 4, 14, 1}) {
       const Rational load = low + (high - low) * Rational(sixteenths, 16);
       const std::optional<Place> start = start_at(load, found, work);
@@ -167,8 +170,8 @@ class Follower {
     return Place{load, std::move(zero.box)};
   }
 
-  /// Where the contact has a gap that can but close: all loads up to where it does, and what can be proved of those up to `limit`
-  /// then. The load reached; nothing where the contact is another one, or not proved.
+  /// If the contact has a gap that can only close: proves all loads up to the closing load, and then as many as
+  /// possible up to `limit`. Returns the load reached; absent if the contact is of another kind, or not proved.
   std::optional<Rational> close_gap(const Place& here, const Rational& limit, Found& found, WorkBudget& work) {
     const std::optional<ContactBox> full = closed_gap(problem_, here.zero);
     if (!full) return std::nullopt;
@@ -192,14 +195,15 @@ class Follower {
     return onward.reached;
   }
 
-  /// Towards `limit`, as far as intervals are proved.
+  /// Makes steps towards `limit`, as far as intervals are proved.
   March march(Place here, const Rational& limit, WorkBudget work) {
     here.zero = seen_from_nearer(problem_, here.zero);
     Found found;
     std::optional<Place> before;
     Rational step = (limit - here.load) / 4;
     const Rational least = options_.width * std::min(here.load, limit) / 8;
-    // How many proofs in turn it takes until a longer step is tried: more next to an event, where longer ones fail.
+    // The number of successful proofs before a longer step is tried. It grows next to an event, where longer steps
+    // fail.
     constexpr int most_patience = 16;
     int patience = 2;
     int proved_in_turn = 0;
@@ -229,7 +233,7 @@ class Follower {
     return {here.load, std::move(found), work};
   }
 
-  /// Proves the loads between here and `load`: the zeros at both; nothing if it does not.
+  /// Proves the loads between here and `load`. Returns the zeros at both; absent if the proof fails.
   std::optional<std::pair<Place, Place>> stepped(const std::optional<Place>& before, const Place& here,
                                                  const Rational& load, Found& found, WorkBudget& work) {
     const bool upwards = here.load < load;
@@ -244,7 +248,8 @@ class Follower {
     return zeros;
   }
 
-  /// The stretch i and the one before, which meet. (Of a gap that closes no box holds the zero at the last load.)
+  /// True if stretch i and the one before it, which meet, are joined. (For a closing gap no box contains the zero at
+  /// the last load.)
   bool are_joined(std::size_t i) {
     const LoadStretch& before = found_.proved[i - 1];
     WorkBudget work;
@@ -252,7 +257,7 @@ class Follower {
            enclosure::are_joined(*before.interval, *found_.proved[i].interval, rules_, work);
   }
 
-  /// What lies before the proved interval i, from `low` to `high`.
+  /// Returns the stretch before the proved interval i, from `low` to `high`.
   LoadStretch between(std::size_t i, const Rational& low, const Rational& high) const {
     const bool inside = i > 0 && i < found_.proved.size();
     if (inside) {
@@ -264,7 +269,7 @@ class Follower {
                                          : "two solutions are proved at this load";
       if (low == high) return {Stretch::open, low, high, {}, no_branch};
     }
-    // The last attempt's reason says most: it was the shortest one.
+    // The reason of the last attempt is the best one, because that was the shortest interval.
     std::string reason = "nothing was tried";
     for (const Failure& failure : found_.failures) {
       if (low <= failure.load && failure.load <= high) reason = failure.reason;

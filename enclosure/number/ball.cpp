@@ -14,8 +14,9 @@
 namespace steadyslide::enclosure {
 namespace {
 
-/// Four integers in hexadecimal with single spaces: mantissa, exponent, and both of the radius, whose mantissa has up to 30
-/// bits and no sign. Exponents fit into a word; that of 0 is 0.
+/// True if the text is four hexadecimal integers with single spaces: mantissa and exponent of the midpoint, mantissa
+/// and exponent of the radius. The radius' mantissa has up to 30 bits and no sign. Exponents fit into a word; the
+/// exponent of 0 is 0.
 bool is_four_numbers(std::string_view text) {
   bool zero = false;
   for (int k = 0; k < 4; ++k) {
@@ -44,7 +45,7 @@ Ball applied(Binary function, const Ball& x, const Ball& y) {
   return made_by(function, bits, x.get(), y.get(), bits);
 }
 
-/// x^p for x > 0: one logarithm, one exponential.
+/// Returns x^p for x > 0, by one logarithm and one exponential.
 Ball positive_power(const Ball& x, const Ball& p) { return exp(p * log(x)); }
 
 }  // namespace
@@ -163,8 +164,8 @@ std::string Ball::dump() const {
 }
 
 Ball Ball::load(std::string_view text, Bits bits) {
-  // arb_load_str (Arb 2.23) joins a fifth number to the fourth, drops the sign of a radius and ends the process where it
-  // has too many bits. What it reads has to be what it would write.
+  // arb_load_str (Arb 2.23) joins a fifth number to the fourth, drops the sign of a radius, and ends the process if the
+  // radius has too many bits. So the text must be equal to what Arb would write.
   const std::string copy(text);
   Ball result(0, bits);
   if (!is_four_numbers(text) || arb_load_str(result.value_, copy.c_str()) != 0 || result.dump() != text) {
@@ -197,13 +198,13 @@ Ball power(const Ball& x, int n) {
 Ball power(const Ball& x, const Ball& p) {
   const Bits bits = larger(x, p);
   if (!x.is_finite() || !p.is_finite() || x.is_negative()) return Ball::unknown(bits);
-  // Arb's logarithm and exponential know how to treat a thin ball; the ends of a wide one are closer.
+  // Arb's logarithm and exponential are good for a thin ball. For a wide ball the values at its ends are closer.
   if (arb_rel_accuracy_bits(x.get()) > 8 && x.is_positive()) return positive_power(x, p);
   const Ball low = x.lower();
   const Ball high = x.upper();
   if (low.is_positive()) return Ball::hull(positive_power(low, p), positive_power(high, p));
   if (!p.is_positive()) return Ball::unknown(bits);
-  // x >= 0 by definition: what lies below is rounding.
+  // x >= 0 by definition; a part below 0 is rounding.
   return Ball::hull(Ball(0, bits), high.is_positive() ? positive_power(high, p) : Ball(0, bits));
 }
 

@@ -6,15 +6,15 @@
 namespace steadyslide::enclosure {
 namespace {
 
-/// A polynomial with fewer coefficients is evaluated one by one.
+/// From this number of coefficients on, evaluation uses blocks.
 constexpr std::size_t many_coefficients = 16;
 
-/// A block of this many powers, and as many blocks, make up `count` powers.
+/// Returns the size of a block, such that as many blocks contain `count` powers.
 std::size_t block_of(std::size_t count) {
   return static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(count))));
 }
 
-/// The same numbers in one array, as Arb takes them, to be read only.
+/// Returns the same numbers in one array for Arb. Read only.
 std::vector<arb_struct> array_of(const std::vector<Ball>& balls) {
   std::vector<arb_struct> result;
   for (const Ball& ball : balls) result.push_back(*ball.get());

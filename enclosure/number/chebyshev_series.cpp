@@ -36,7 +36,7 @@ ChebyshevSeries::ChebyshevSeries(const ChebyshevNodes& nodes, const std::vector<
       arb_addmul(sum.get(), values[static_cast<std::size_t>(i)].get(), nodes.polynomial(j, i).get(), nodes.bits());
     }
     sum *= Ball(j == 0 ? 1 : 2, nodes.bits()) / Ball(n);
-    // Rounding is a part of the error: a recurrence of balls would make it grow with each restriction.
+    // Rounding is added to the error, because in a recurrence of balls it would grow with each restriction.
     error_ += sum.radius().at(64);
     coefficients_.push_back(sum.midpoint());
   }

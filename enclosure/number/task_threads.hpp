@@ -1,5 +1,5 @@
 #pragma once
-// Tasks that know nothing of each other, side by side where a thread is free. What they give does not depend on that.
+// Runs independent tasks in parallel if a thread is free. The results do not depend on this.
 
 #include <flint/flint.h>
 
@@ -15,17 +15,19 @@ namespace steadyslide::enclosure {
 
 class TaskThreads {
  public:
-  /// So many tasks at a time, the caller's own among them.
+  /// `most` is the largest number of parallel tasks, including the caller's own.
   explicit TaskThreads(unsigned most) : free_(static_cast<int>(most) - 1) {}
 
-  /// What both give; the first one runs on the caller's thread. Throws what they throw, when both have ended.
+  /// Returns both results. The first task runs on the caller's thread. An exception of a task is thrown when both have
+  /// ended.
   template <class First, class Second>
   auto both(First first, Second second) {
     if (!take()) {
       auto one = first();
       return std::pair(std::move(one), second());
     }
-    // They have two threads. Who ends first leaves one to others, and the caller goes on when both have.
+    // The tasks have two threads. The one that ends first frees a thread for others. The caller continues when both
+    // have ended.
     std::atomic<bool> has_one_ended = false;
     const auto run = [&](auto& task) {
       const AtEnd leave([&] {
@@ -41,7 +43,7 @@ class TaskThreads {
     return std::pair(std::move(one), other.get());
   }
 
-  /// make(first), ..., make(last - 1).
+  /// Returns make(first), ..., make(last - 1).
   template <class Make>
   std::vector<std::invoke_result_t<Make, std::size_t>> all(std::size_t first, std::size_t last, const Make& make) {
     std::vector<std::invoke_result_t<Make, std::size_t>> made;

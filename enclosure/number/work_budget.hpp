@@ -1,6 +1,6 @@
 #pragma once
-// How much work the searches of a proof may take, before it says that nothing is proved: counted, not timed, so that the answer
-// is the same on every machine. A unit is a term of a sum in a 64-bit word.
+// The limit of work for the searches of a proof; beyond it the answer is "not proved". Work is counted, not timed, so
+// the answer is the same on every machine. A unit is a term of a sum in a 64-bit word.
 
 #include <algorithm>
 #include <cstdint>
@@ -9,16 +9,16 @@ namespace steadyslide::enclosure {
 
 class WorkBudget {
  public:
-  /// The budget of one proof. It is spent in five to ten seconds. Most proofs that succeed take a hundredth of it.
+  /// The budget of one proof. Spending it takes five to ten seconds. Most successful proofs need a hundredth of it.
   static constexpr std::int64_t usual = 200'000'000;
 
   explicit WorkBudget(std::int64_t most = usual) : left_(most) {}
 
-  /// Takes what is left, if that is less.
+  /// Takes this work, or the rest if the rest is less.
   void take(std::int64_t work) { left_ -= std::min(work, left_); }
   bool is_spent() const { return left_ == 0; }
   std::int64_t left() const { return left_; }
-  /// Half of what is left, for a task beside others: what each of them does is not up to who is first.
+  /// Returns half of the rest, for parallel tasks, so that the result of a task does not depend on which is first.
   WorkBudget half() {
     left_ /= 2;
     return WorkBudget(left_);

@@ -12,7 +12,7 @@
 namespace steadyslide::enclosure {
 namespace {
 
-/// The stretch between two neighbouring points, as panels see it.
+/// The interval between two neighbouring points, with the data for panels.
 struct Piece {
   Ball start;  ///< x of its left end
   Ball length;
@@ -31,7 +31,7 @@ Piece piece_between(const PowerIntegrand& integrand, std::size_t k) {
   return piece;
 }
 
-/// What of an integrand is left on a piece: a polynomial and a sign.
+/// The factor of the integrand on a piece that is not a power: a polynomial and a sign.
 class PieceIntegral {
  public:
   PieceIntegral(const PowerIntegrand& integrand, JacobiRules& rules)
@@ -55,7 +55,7 @@ class PieceIntegral {
     return sum;
   }
 
-  /// The piece has no power at its ends, and the pole is in the middle.
+  /// Returns the principal value for a piece without powers at its ends and with the pole in the middle.
   Ball symmetric_principal_value(const Piece& piece) const {
     const BallPolynomial f = about(piece.start + piece.length / 2);
     int count = count_for(piece.length, piece.outside);
@@ -75,12 +75,12 @@ class PieceIntegral {
   }
 
  private:
-  /// The polynomial in x - centre.
+  /// Returns the polynomial in x - centre.
   BallPolynomial about(const Ball& centre) const { return shifted(polynomial_, centre); }
   int degree() const { return static_cast<int>(polynomial_.size()) - 1; }
-  /// From the middle of a panel.
+  /// Returns the offset from the middle of a panel.
   static Ball offset(const auto& node) { return (node.from_left - node.from_right) / 2; }
-  /// With nodes for the polynomial's growth in the ellipse.
+  /// Returns the number of nodes, including those for the polynomial's growth in the ellipse.
   int count_for(const Ball& length, const std::vector<OutsidePoint>& outside) const {
     const int count = PowerPanel::count_for(rules_.bits(), length, outside);
     return count == 0 ? 0 : count + degree() / 2;
@@ -90,7 +90,8 @@ class PieceIntegral {
   JacobiRules& rules_;
 };
 
-/// The principal value over a piece with the pole at these distances from its ends: left of, around and right of the pole.
+/// Returns the principal value over a piece with the pole at these distances from its ends, as the sum of the parts
+/// left of, around and right of the pole.
 Ball principal_value_by_panels(const PieceIntegral& integral, const Piece& piece, const Ball& from_left,
                                const Ball& from_right) {
   const Bits bits = piece.length.bits();
@@ -116,7 +117,7 @@ Ball principal_value_by_panels(const PieceIntegral& integral, const Piece& piece
   return integral.by_panels(right) - integral.by_panels(left) + integral.symmetric_principal_value(middle);
 }
 
-/// Why there is no integral; empty if nothing speaks against it.
+/// Returns why there is no integral; empty if there is one.
 std::string refusal_of(const PowerIntegrand& integrand, std::size_t first, std::size_t last) {
   const std::vector<Ball>& e = integrand.points;
   if (!all_finite(e) || !all_finite(integrand.powers) || !all_finite(integrand.polynomial) ||

@@ -23,7 +23,8 @@ class Grading {
     }
   }
 
-  /// A choice, made with midpoints: what is equal up to rounding is far enough.
+  /// True if the part is far enough from all places. This is only a choice, so it uses midpoints; equality up to
+  /// rounding is sufficient.
   bool is_clear(const Part& part) const {
     return is_far(left_, part.from_left, part.length) && is_far(right_, part.from_right, part.length);
   }

@@ -6,7 +6,7 @@
 namespace steadyslide::enclosure {
 namespace {
 
-/// Bounds need few digits.
+/// The precision of bounds, which need few digits.
 constexpr Bits root_bits = 64;
 
 Ball upper_size(const Ball& x) { return abs(x).at(root_bits).upper(); }
@@ -18,7 +18,7 @@ struct ValueAndSlope {
   Ball slope{0};
 };
 
-/// sum_{k <= degree} c_k d^k and its derivative, by Horner's scheme.
+/// Returns sum_{k <= degree} c_k d^k and its derivative, by Horner's scheme.
 ValueAndSlope horner(const std::vector<Ball>& c, std::size_t degree, const Ball& d, Bits bits) {
   ValueAndSlope result;
   arb_struct* const value = result.value.get();
@@ -32,8 +32,8 @@ ValueAndSlope horner(const std::vector<Ball>& c, std::size_t degree, const Ball&
   return {result.value.at(bits), result.slope.at(bits)};
 }
 
-/// A root of Taylor's polynomial, not proved: Newton's steps, each at the precision that it can reach and with the terms
-/// that show there.
+/// Returns an unproved root of Taylor's polynomial, by Newton's steps. Each step uses the precision that it can reach
+/// and the terms that are significant at this precision.
 Ball approximate_root(const std::vector<Ball>& c, double bits_per_term, Bits bits) {
   Ball root = (-c[0] / c[1]).midpoint();
   double known = bits_per_term;
@@ -55,7 +55,7 @@ JacobiPolynomial::JacobiPolynomial(int count, const Ball& left, const Ball& righ
     : count_(count), bits_(bits), left_(left.at(bits)), right_(right.at(bits)), sum_(left_ + right_) {
   const Ball &l = left_, &r = right_, &s = sum_;
   eigenvalue_ = count * (s + (count + 1));
-  // Written so that nothing vanishes in a denominator: s > -2, and s = 0 or s = -1 are allowed.
+  // Written without zero denominators: s > -2, and s = 0 or s = -1 are allowed.
   centres_.push_back((l - r) / (s + 2));
   products_.push_back(Ball(0));
   products_.push_back(4 * (l + 1) * (r + 1) / ((s + 2) * (s + 2) * (s + 3)));
@@ -99,8 +99,8 @@ std::optional<JacobiPolynomial::Zero> JacobiPolynomial::zero_near(double start, 
   c.push_back((count_ * ((right_ - left_) / twice - x) * values.p + products_.back() * (twice + 1) * values.before) /
               u);
 
-  // The bounds of the header. The root is about |c_0/c_1| away, and r comes to twice that where x is a root but for rounding:
-  // R has room for both.
+  // The bounds in the header. The distance of the root is about |c_0/c_1|, and r is up to twice that if x is a root up
+  // to rounding. R is large enough for both.
   const Ball c_1 = abs(c[1]).lower();
   if (!c_1.is_positive()) return std::nullopt;
   const Ball t =
@@ -114,7 +114,7 @@ std::optional<JacobiPolynomial::Zero> JacobiPolynomial::zero_near(double start, 
   const auto degree = static_cast<std::size_t>(static_cast<double>(bits_) / bits_per_term) + 2;
   for (std::size_t j = 2; j <= degree; ++j) {
     const int k = static_cast<int>(j) - 2;
-    // A later term shows less: R^k of it is small.
+    // A later term needs fewer bits, because its factor R^k is small.
     const Bits bits = std::max(root_bits, bits_ - static_cast<Bits>((k - 1) * bits_per_term) + 64);
     Ball next(0, bits), term(0, bits);
     arb_mul_si(next.get(), x.get(), 2 * k, bits);

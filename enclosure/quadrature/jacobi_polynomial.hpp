@@ -1,6 +1,6 @@
 #pragma once
-// The monic Jacobi polynomial P of degree n for the weight (1+x)^l (1-x)^r on [-1, 1], l and r exact and > -1, and its
-// zeros with proof. P_0 = 1, P_{k+1} = (x - a_k) P_k - b_k P_{k-1} [DLMF 18.9],
+// The monic Jacobi polynomial P of degree n for the weight (1+x)^l (1-x)^r on [-1, 1], with exact l and r > -1, and its
+// proved zeros. P_0 = 1, P_{k+1} = (x - a_k) P_k - b_k P_{k-1} [DLMF 18.9],
 //
 //   a_k = (l^2 - r^2)/((s + 2k)(s + 2k + 2)),   b_k = 4k (k+l)(k+r)(k+s)/((2k+s)^2 (2k+s+1)(2k+s-1)),   s = l + r.
 //
@@ -11,9 +11,10 @@
 // Here |2k x_0 - e|/(k+2) <= max(2, |e|), and the last bracket lies between 0 and n (n+s+1) for k <= n; c_k = 0 beyond.
 // By induction |c_k| <= C t^k with
 //   t = max(2 max(2, |e|)/u, sqrt(n (n+s+1)/u)),   C = max(|c_0|, |c_1|/t),
-// so that what is left out after degree m is, for |x - x_0| <= R and q = t R < 1, at most C q^(m+1)/(1-q) in P and
-// C t (m+1) q^m/(1-q)^2 in P', and |P''| <= 2 C t^2/(1-q)^3. The interval D = d +- r around an approximate root of Taylor's
-// polynomial then holds exactly one zero of P, and it lies in N = d - P(x_0 + d)/P'(D), if N lies inside D: interval Newton.
+// so for |x - x_0| <= R and q = t R < 1, the terms beyond degree m are at most C q^(m+1)/(1-q) in P and C t (m+1)
+// q^m/(1-q)^2 in P', and |P''| <= 2 C t^2/(1-q)^3. The interval D = d +- r around an approximate root of Taylor's
+// polynomial then holds exactly one zero of P, and it lies in N = d - P(x_0 + d)/P'(D), if N lies inside D: interval
+// Newton.
 
 #include <optional>
 #include <vector>
@@ -26,18 +27,19 @@ namespace steadyslide::enclosure {
 class JacobiPolynomial {
  public:
   struct Zero {
-    Ball distance;  ///< from the end of [-1, 1] on the side asked for
+    Ball distance;  ///< from the end of [-1, 1] on the given side
     Ball slope;     ///< P' there
   };
 
   /// Computes with `bits`. l = left, r = right: exact balls.
   JacobiPolynomial(int count, const Ball& left, const Ball& right, Bits bits);
 
-  /// The one zero in a small neighbourhood of -1 + start (Side::left) or 1 - start (Side::right), 0 < start < 2. Nothing
-  /// where it was not proved: start was too far away, or bits are too few.
+  /// Returns the only zero in a small neighbourhood of -1 + start (Side::left) or 1 - start (Side::right),
+  /// 0 < start < 2. Absent if it was not proved, because the start was too far away or there are too few bits.
   std::optional<Zero> zero_near(double start, Side side) const;
 
-  /// b_1 ... b_n (2n + s + 1): the rule's weights are this times int (1+x)^l (1-x)^r dx/((1 - x_i^2) P'(x_i)^2).
+  /// Returns b_1 ... b_n (2n + s + 1). The rule's weights are this times int (1+x)^l (1-x)^r dx/((1 - x_i^2)
+  /// P'(x_i)^2).
   const Ball& norm() const { return norm_; }
 
  private:

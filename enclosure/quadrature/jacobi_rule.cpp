@@ -12,9 +12,9 @@
 namespace steadyslide::enclosure {
 namespace {
 
-// The zeros in double are starts for what proves them (jacobi_polynomial.hpp). Nothing here is proved, and nothing has to be.
+// The zeros in double are starting values for the proof (jacobi_polynomial.hpp). They need no proof.
 
-/// P_k normalised by P_k(0) = a, from differences in which nothing cancels next to y = 0:
+/// P_k with P_k(0) = a, computed from differences in which nothing cancels next to y = 0:
 ///   P_{k+1} - P_k = h_k (P_k - P_{k-1}) - y g_k P_k,   g, h > 0.
 class Differences {
  public:
@@ -30,7 +30,7 @@ class Differences {
     first_ = a;
   }
 
-  /// Value and slope.
+  /// Returns value and slope.
   std::pair<double, double> at(double y) const {
     double p = first_;
     double slope = 0;
@@ -51,18 +51,18 @@ class Differences {
   std::vector<double> h_;
 };
 
-/// The first `wanted` of the `count` zeros of the polynomial orthogonal for y^(a-1) (1-y)^(b-1) on [0, 1], increasing; a
-/// relative error of about 1e-14 is usual in the left half.
+/// Returns, in increasing order, the first `wanted` of the `count` zeros of the orthogonal polynomial for y^(a-1)
+/// (1-y)^(b-1) on [0, 1]. The relative error in the left half is usually about 1e-14.
 std::vector<double> jacobi_starts(int count, int wanted, double a, double b) {
   const Differences differences(count, a, b);
   const double total = a + b;
   const double eigenvalue = count * (total + (count - 1));
   std::vector<double> zeros;
-  // Newton's step from y = 0 does not pass the first zero.
+  // Newton's step from y = 0 does not go beyond the first zero.
   double y = a / eigenvalue;
   while (static_cast<int>(zeros.size()) < wanted) {
-    // Laguerre's method on what is left when the zeros found are divided out: all zeros are real, so that steps from the
-    // left of them end at the first one. Convergence is cubic.
+    // Laguerre's method for the polynomial divided by the known zeros. All zeros are real, so steps from the left
+    // converge to the first one. The convergence is cubic.
     for (int step = 0; step < 60; ++step) {
       const auto [p, slope] = differences.at(y);
       if (p == 0) break;
@@ -84,8 +84,8 @@ std::vector<double> jacobi_starts(int count, int wanted, double a, double b) {
     }
     const double gap = zeros.empty() ? y : y - zeros.back();
     zeros.push_back(y);
-    // Gaps grow towards the middle. The first zero may be tiny by itself: the next one is beyond the first zero of P', which
-    // is a Jacobi polynomial again.
+    // Distances grow towards the middle. Only the first zero may be tiny; the next one is beyond the first zero of P',
+    // which is also a Jacobi polynomial.
     y += gap / 1024;
     if (zeros.size() == 1 && count > 1) y = std::max(y, (a + 1) / ((count - 1) * (total + count)));
   }
@@ -94,7 +94,7 @@ std::vector<double> jacobi_starts(int count, int wanted, double a, double b) {
 
 Ball digamma(const Ball& x) { return made_by(arb_digamma, x.bits(), x.get(), x.bits()); }
 
-/// int (1+x)^left (1-x)^right dx = 2^(left+right+1) B(left+1, right+1).
+/// Returns int (1+x)^left (1-x)^right dx = 2^(left+right+1) B(left+1, right+1).
 Ball mass_of(const Ball& left, const Ball& right) {
   const Ball sum = left + right;
   return power(Ball(2, sum.bits()), sum + 1) * gamma(left + 1) * gamma(right + 1) / gamma(sum + 2);
@@ -104,7 +104,7 @@ Ball rounded(const Ball& x, Bits bits) { return made_by(arb_set_round, bits, x.g
 
 bool centred_at_zero(const Ball& x) { return arf_is_zero(arb_midref(x.get())) != 0; }
 
-/// Of balls as objects, not of the numbers in them.
+/// Compares balls as objects, not the numbers in them.
 int order(const Ball& a, const Ball& b) {
   const int midpoints = arf_cmp(arb_midref(a.get()), arb_midref(b.get()));
   return midpoints != 0 ? midpoints : mag_cmp(arb_radref(a.get()), arb_radref(b.get()));
@@ -126,8 +126,8 @@ JacobiRule::JacobiRule(int count, const Ball& left, const Ball& right, Bits bits
     make_legendre(count, bits);
     if (is_proved(bits)) return;
   }
-  // In the recurrence a ball's radius grows up to 1 + sqrt(2) times a step; nodes next to an end are as small as
-  // (power + 1)/n^2. Where this is too little, more is tried.
+  // In each step of the recurrence a ball's radius grows by a factor of up to 1 + sqrt(2). Nodes next to an end are as
+  // small as (power + 1)/n^2. If this precision is too small, a higher one is tried.
   const double smallest = std::max(0.0, -std::min(rough_log2(l + 1), rough_log2(r + 1)));
   const double size = count;
   Bits guard = static_cast<Bits>(1.28 * size + 6 * std::log2(size + 1) + 2 * smallest) + 48;
@@ -143,7 +143,7 @@ bool JacobiRule::make(int count, const Ball& left, const Ball& right, Bits bits,
   const JacobiPolynomial polynomial(count, left, right, working);
   const Ball factor = mass_of(left.at(working), right.at(working)) * polynomial.norm();
   const double a = (left + 1).to_double(), b = (right + 1).to_double();
-  // A node is seen from the nearer end. One alone is at a/(a + b) of the interval.
+  // A node is measured from the nearer end. A single node is at a/(a + b) of the interval.
   const int in_left = count == 1 && a > b ? 0 : (count + 1) / 2;
   const std::vector<double> lefts = jacobi_starts(count, in_left, a, b);
   const std::vector<double> rights = jacobi_starts(count, count - in_left, b, a);
@@ -164,7 +164,7 @@ bool JacobiRule::make(int count, const Ball& left, const Ball& right, Bits bits,
 void JacobiRule::make_legendre(int count, Bits bits) {
   const auto n = static_cast<std::size_t>(count);
   const Bits working = bits + 2 * static_cast<Bits>(std::log2(count + 1)) + 16;
-  // Arb counts the roots from the right, and makes the left half from the right one.
+  // Arb numbers the roots from the right, and computes the left half from the right half.
   for (std::size_t k = n; k-- > 0;) {
     Ball x(0, working), weight(0, working);
     arb_hypgeom_legendre_p_ui_root(x.get(), weight.get(), n, k, working);
@@ -179,7 +179,7 @@ bool JacobiRule::is_proved(Bits bits) const {
     for (const Ball* number : {&from_left[i], &from_right[i], &weights[i]}) {
       if (!number->is_positive() || arb_rel_accuracy_bits(number->get()) < bits - 4) return false;
     }
-    // Seen from the nearer end: there the difference of neighbours has its digits.
+    // Measure from the nearer end, where the difference of neighbours has full precision.
     if (i > 0 && !(from_left[i - 1] < from_left[i] || from_right[i - 1] > from_right[i])) return false;
   }
   return true;

@@ -3,18 +3,19 @@
 //
 //   int_{-1}^{1} (1+x)^left (1-x)^right f(x) dx = sum_i w_i f(x_i) + R.
 //
-// The powers may be thin balls [l +- dl], [r +- dr]. Nodes x_i and weights w_i are those of the midpoints l and r, exact
-// numbers: x_i are the zeros of P_n^(r,l), proved one by one (jacobi_polynomial.hpp); n balls that lie apart hold them all.
+// The powers may be thin balls [l +- dl], [r +- dr]. Nodes x_i and weights w_i belong to the midpoints l and r, exact
+// numbers: x_i are the zeros of P_n^(r,l), proved one by one (jacobi_polynomial.hpp). There are n disjoint balls, so
+// they contain all zeros.
 //
 //   w_i = mu_0 b_1 ... b_n (2n+l+r+1)/((1 - x_i^2) P'(x_i)^2)  for the monic polynomial P and the weight's mass mu_0 (mass).
 //
-// Remainder. Let |f| <= M in the closed ellipse with foci -1, 1 and semi-axes (rho + 1/rho)/2 and (rho - 1/rho)/2, rho > 1
-// (Bernstein), f analytic there. Then f = sum_k a_k T_k with |a_k| <= 2 M rho^-k. The rule is exact for k < 2n, and as
-// |T_k| <= 1 on [-1, 1] and weights are positive with sum mu_0, each later T_k is wrong by at most 2 mu_0:
+// Remainder. Let |f| <= M in the closed ellipse with foci -1, 1 and semi-axes (rho + 1/rho)/2 and (rho - 1/rho)/2,
+// rho > 1 (Bernstein), f analytic there. Then f = sum_k a_k T_k with |a_k| <= 2 M rho^-k. The rule is exact for k < 2n,
+// and as |T_k| <= 1 on [-1, 1] and weights are positive with sum mu_0, each later T_k is wrong by at most 2 mu_0:
 //
 //   |R| <= 2 mu_0 sum_{k >= 2n} 2 M rho^-k = 4 mu_0 M rho^(1-2n)/(rho - 1).
 //
-// What the powers' radii make of it: |d/dleft int| <= M int |log(1+x)| (1+x)^left (1-x)^right dx, and with y = (1+x)/2,
+// The effect of the powers' radii: |d/dleft int| <= M int |log(1+x)| (1+x)^left (1-x)^right dx, and with y = (1+x)/2,
 // |log(1+x)| <= log 2 - log y, int (-log y) (1+x)^left (1-x)^right dx = mass (psi(left+right+2) - psi(left+1)), psi the
 // digamma function; by the mean value theorem R grows by at most M spread,
 //
@@ -31,15 +32,15 @@ namespace steadyslide::enclosure {
 
 class JacobiRule {
  public:
-  /// Throws std::invalid_argument unless count >= 1 and both powers are certainly > -1, std::runtime_error if a node is not
-  /// proved. Distances and weights have a relative accuracy of about 2^-bits.
+  /// Throws std::invalid_argument unless count >= 1 and both powers are certainly > -1, std::runtime_error if a node is
+  /// not proved. Distances and weights have a relative accuracy of about 2^-bits.
   JacobiRule(int count, const Ball& left, const Ball& right, Bits bits);
 
   std::size_t size() const { return weights.size(); }
 
-  /// For |f| <= bound in the ellipse rho. Not finite unless rho is certainly > 1.
+  /// Returns |R| for |f| <= bound in the ellipse rho. Not finite unless rho is certainly > 1.
   Ball remainder(const Ball& bound, const Ball& rho) const;
-  /// For a polynomial f of degree < 2n, |f| <= bound on [-1, 1]: 0 where the powers are exact.
+  /// Returns |R| for a polynomial f of degree < 2n, |f| <= bound on [-1, 1]; 0 if the powers are exact.
   Ball remainder(const Ball& bound) const;
 
   std::vector<Ball> from_left;   ///< 1 + x_i, increasing
@@ -48,7 +49,7 @@ class JacobiRule {
   Ball mass;  ///< int (1+x)^left (1-x)^right dx
 
  private:
-  /// False where a node was not proved with so many bits.
+  /// Returns false if a node was not proved with this number of bits.
   bool make(int count, const Ball& left, const Ball& right, Bits bits, Bits working);
   void make_legendre(int count, Bits bits);
   bool is_proved(Bits bits) const;
@@ -56,8 +57,8 @@ class JacobiRule {
   Ball spread_;
 };
 
-/// Rules, each made once: for each number of nodes and pair of powers, balls that are the same only if midpoint and radius
-/// are. May be shared between threads.
+/// A cache of rules by number of nodes and pair of powers. Two balls are the same key only if midpoint and radius are
+/// equal. Threads may share it.
 class JacobiRules {
  public:
   explicit JacobiRules(Bits bits) : bits_(bits) {}
@@ -65,7 +66,7 @@ class JacobiRules {
   Bits bits() const { return bits_; }
   std::size_t size() const { return rules_.size(); }
 
-  /// Stays valid as long as this object. Throws as JacobiRule does.
+  /// Returns the rule. The reference is valid as long as this object exists. Throws as JacobiRule does.
   const JacobiRule& operator()(int count, const Ball& left, const Ball& right);
 
  private:

@@ -7,7 +7,7 @@
 namespace steadyslide::enclosure {
 namespace {
 
-/// An upper bound of |log x| for x > 0: from the exponents of two.
+/// Returns an upper bound of |log x| for x > 0, from the exponents of two.
 Ball log_size(const Ball& x) {
   mag_t low, high;
   mag_init(low);
@@ -29,7 +29,7 @@ Ball log_size(const Ball& x) {
   return result;
 }
 
-/// 1 to 8 if the power is certainly this integer, otherwise 0.
+/// Returns 1 to 8 if the power is certainly this integer; otherwise 0.
 int small_whole(const Ball& power) {
   if (arb_is_int(power.get()) == 0 || !(power >= 1 && power <= 8)) return 0;
   return static_cast<int>(std::lround(power.to_double()));
@@ -45,7 +45,7 @@ OutsideProduct::OutsideProduct(std::vector<OutsidePoint> points) : points_(std::
     if (power.is_zero()) continue;
     const bool negative = !power.midpoint().is_positive();
     const Ball size = abs(power.midpoint());
-    // What is whole but not exactly known has to take the way of logarithms.
+    // An integer in a ball with a radius needs logarithms.
     const int whole = small_whole(abs(power));
     auto group = std::find_if(groups_.begin(), groups_.end(), [&](const Group& other) {
       return other.whole == whole && same_midpoint(other.power, size);

@@ -4,9 +4,9 @@
 //   prod_j (y + d_j)^(p_j)      over places d_j > 0 to the left of 0,
 //   prod_j (L - y + d_j)^(p_j)  over places d_j > 0 to the right of L.
 //
-// One exponential of a sum of logarithms, and fewer of these: places with the same power, or the opposite one, share the
-// logarithm of a product, and whole exact powers up to 8 take none. Powers that are balls share it if their midpoints do: with
-// p_j = m + e_j, |e_j| <= r_j, the sum of p_j log d_j lies within sum r_j |log d_j| of m log prod d_j.
+// It is one exponential of a sum of few logarithms: places with the same or the opposite power share the logarithm of a
+// product, and exact integer powers up to 8 need none. Powers that are balls share it if their midpoints are equal:
+// with p_j = m + e_j, |e_j| <= r_j, the sum of p_j log d_j lies within sum r_j |log d_j| of m log prod d_j.
 
 #include <vector>
 
@@ -18,7 +18,7 @@ namespace steadyslide::enclosure {
 struct OutsidePoint {
   Side side;
   Ball distance;  ///< from the interval's end on that side, > 0
-  Ball power;     ///< 0 keeps ellipses away from a place at which what else is integrated is singular
+  Ball power;     ///< with power 0, ellipses avoid the place; for places where another factor is singular
 };
 
 class OutsideProduct {
@@ -27,17 +27,18 @@ class OutsideProduct {
 
   const std::vector<OutsidePoint>& points() const { return points_; }
 
-  /// At the place with these distances from the interval's ends. Not finite where a distance may be <= 0.
+  /// Returns the product at a place with these distances from the interval's ends. Not finite if a distance may
+  /// be <= 0.
   Ball at(const Ball& from_left, const Ball& from_right) const;
 
-  /// A bound in the ellipse with foci 0 and L that reaches `reach` beyond both. Its points z have
-  /// d_j - reach <= |z + d_j| <= d_j + L + reach, and both ends are taken on the axis. Not finite unless every d_j > reach.
+  /// Returns a bound in the ellipse with foci 0 and L that reaches `reach` beyond both. Its points z have
+  /// d_j - reach <= |z + d_j| <= d_j + L + reach, with equality on the axis. Not finite unless every d_j > reach.
   Ball bound(const Ball& length, const Ball& reach) const;
 
  private:
   struct Factor {
     std::size_t point;
-    bool divides;  ///< its power is the opposite of the group's
+    bool divides;  ///< true if its power is the opposite of the group's
   };
   struct Group {
     Ball power;  ///< exact

@@ -8,10 +8,10 @@
 namespace steadyslide::enclosure {
 namespace {
 
-/// What decides on rho: outside points in units of half the panel, as doubles.
+/// The data for the choice of rho: outside points in units of half the panel, as doubles.
 class RemainderEstimate {
  public:
-  /// Nothing if a distance is no positive double in these units.
+  /// Absent if a distance is not a positive double in these units.
   static std::optional<RemainderEstimate> make(const Ball& length, const std::vector<OutsidePoint>& outside) {
     RemainderEstimate estimate;
     double nearest = std::numeric_limits<double>::infinity();
@@ -20,18 +20,18 @@ class RemainderEstimate {
       if (!(distance > 0)) return std::nullopt;
       nearest = std::min(nearest, distance);
       const double power = point.power.to_double();
-      // What is far away is a constant.
+      // Far places contribute a constant.
       if (power != 0 && distance < 1e9) estimate.points_.push_back({1 + distance, power});
     }
-    // (rho + 1/rho)/2 - 1 = nearest, and a little less.
+    // (rho + 1/rho)/2 - 1 = nearest, or slightly less.
     const double end = 1 + nearest + std::sqrt(nearest * (2 + nearest));
     estimate.largest_ = std::min(1 + (end - 1) * (1 - 1e-6), PowerPanel::largest_rho);
     if (!(estimate.largest_ > 1)) return std::nullopt;
     return estimate;
   }
 
-  /// The smallest logarithm of the remainder with n nodes over the largest value on the panel, and its rho: by golden
-  /// section in log(rho - 1).
+  /// The smallest logarithm of the remainder with n nodes divided by the largest value on the panel, and its rho, found
+  /// by golden section in log(rho - 1).
   struct Choice {
     double rho;
     double log_remainder;
@@ -90,7 +90,7 @@ PowerPanel::PowerPanel(const Ball& length, const Ball& left, const Ball& right, 
   rho_ = estimate ? Ball::exactly(estimate->best(count).rho, bits) : Ball::unknown(bits);
   reach_ = half * ((rho_ + 1 / rho_) / 2 - 1);
   const Ball scale = power(half, left.at(bits) + right.at(bits) + 1);
-  // Sums over nodes of weight F are as exact as their terms, so that only the bounds are rough.
+  // Sums over nodes of weight F are as accurate as their terms; only the bounds are coarse.
   remainder_ = (scale.at(64) * rule.remainder(product.bound(length_, reach_), rho_)).upper();
   polynomial_remainder_ = product.points().empty() ? (scale.at(64) * rule.remainder(Ball(1, 64))).upper() : remainder_;
   nodes_.reserve(rule.size());
@@ -110,7 +110,7 @@ int PowerPanel::count_for(Bits bits, const Ball& length, const std::vector<Outsi
   const auto estimate = RemainderEstimate::make(length, outside);
   if (!estimate) return 0;
   const double wanted = -static_cast<double>(bits) * std::log(2.0);
-  // The remainder falls with n: bisection.
+  // The remainder decreases with n, so bisection works.
   int few = 0, enough = 16;
   while (estimate->best(enough).log_remainder > wanted) {
     few = enough;

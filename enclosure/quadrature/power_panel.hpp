@@ -3,13 +3,14 @@
 //
 //   int_0^L y^left (L-y)^right W(y) F(y) dy,   W = prod_j (distance to the outside point j)^(power_j),
 //
-// left, right > -1, F analytic. With y = L (1+x)/2 this is (L/2)^(left+right+1) int (1+x)^left (1-x)^right W F dx, by the
-// Gauss-Jacobi rule with its remainder (jacobi_rule.hpp) in an ellipse rho, whose image has the foci 0 and L and reaches
+// left, right > -1, F analytic. With y = L (1+x)/2 this is (L/2)^(left+right+1) int (1+x)^left (1-x)^right W F dx, by
+// the Gauss-Jacobi rule with its remainder (jacobi_rule.hpp) in an ellipse rho, whose image has the foci 0 and L and
+// reaches
 //
 //   reach = (L/2) ((rho + 1/rho)/2 - 1)
 //
-// beyond each end. W is analytic there if every outside point is farther away than this. rho is chosen, in double, where
-// the bound of the remainder is smallest for constant F.
+// beyond each end. W is analytic there if every outside point is farther away than this. rho is chosen, in double,
+// where the bound of the remainder is smallest for constant F.
 
 #include <cmath>
 #include <vector>
@@ -27,38 +28,38 @@ class PowerPanel {
     Ball from_right;
     Ball weight;  ///< everything but F
   };
-  /// Without an outside point the ellipse could be any; F may grow in a larger one.
+  /// The largest rho. If there is no outside point, any ellipse would be possible, but F may grow in a larger one.
   static constexpr double largest_rho = 64;
 
-  /// Throws as JacobiRule does. Where a distance or the length is not certainly positive, remainders are not finite.
+  /// Throws as JacobiRule does. If a distance or the length is not certainly positive, remainders are not finite.
   PowerPanel(const Ball& length, const Ball& left, const Ball& right, std::vector<OutsidePoint> outside, int count,
              JacobiRules& rules);
 
-  /// The number of nodes for which 4 rho^(1-2n)/(rho-1) <= 2^-bits.
+  /// Returns the number of nodes for which 4 rho^(1-2n)/(rho-1) <= 2^-bits.
   static int count_for(Bits bits, double rho);
-  /// The number of nodes for which the remainder for constant F is below 2^-bits of the largest value on the panel times
-  /// the weight's mass. 0 where an outside point is so near that no number below 100000 does.
+  /// Returns the number of nodes for which the remainder for constant F is below 2^-bits of the largest value on the
+  /// panel times the weight's mass. Returns 0 if an outside point is so near that no number below 100000 is sufficient.
   static int count_for(Bits bits, const Ball& length, const std::vector<OutsidePoint>& outside);
 
   const Ball& length() const { return length_; }
   const std::vector<Node>& nodes() const { return nodes_; }
   const Ball& rho() const { return rho_; }
-  /// How far the ellipse reaches beyond each end.
+  /// Returns the reach of the ellipse beyond each end.
   const Ball& reach() const { return reach_; }
-  /// Half of what the ellipse measures across the axis: (L/2) (rho - 1/rho)/2.
+  /// Returns half the height of the ellipse: (L/2) (rho - 1/rho)/2.
   Ball half_height() const;
 
-  /// |int - sum weight F(node)| for |F| <= bound_of_F in the ellipse.
+  /// Returns a bound of |int - sum weight F(node)| for |F| <= bound_of_F in the ellipse.
   Ball remainder(const Ball& bound_of_F) const { return remainder_ * bound_of_F; }
-  /// The same for F a polynomial of degree < 2 count where nothing is outside, |F| <= bound_of_F on the panel.
+  /// The same for a polynomial F of degree < 2 count without outside points, |F| <= bound_of_F on the panel.
   Ball remainder_of_polynomial(const Ball& bound_of_F) const { return polynomial_remainder_ * bound_of_F; }
 
-  /// F takes a Node and returns a Ball.
+  /// Returns the integral. F takes a Node and returns a Ball.
   template <class F>
   Ball integral(const F& f, const Ball& bound_of_F) const {
     return sum(f, remainder(bound_of_F));
   }
-  /// The same with another remainder.
+  /// Returns the integral with another remainder.
   template <class F>
   Ball sum(const F& f, const Ball& remainder) const {
     Ball sum(0, length_.bits());

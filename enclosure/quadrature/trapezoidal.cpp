@@ -16,7 +16,7 @@ struct Strip {
   double step;
 };
 
-/// The largest h for which e^(-2 pi d/h) cos(d/2)^-exponent is e^-digits, over d: golden section.
+/// Returns the largest h over all d for which e^(-2 pi d/h) cos(d/2)^-exponent is e^-digits, by golden section.
 Strip best_strip(double digits, double exponent) {
   constexpr double golden = 0.6180339887498949;
   const auto step = [&](double gap) {
@@ -31,14 +31,15 @@ Strip best_strip(double digits, double exponent) {
   return {std::numbers::pi - (low + high) / 2, step((low + high) / 2)};
 }
 
-/// Nodes up to where the geometric tail e^(-rate tau) is e^-digits. At most `most`: the bound of the tail stays true.
+/// Returns the number of nodes after which the geometric tail e^(-rate tau) is e^-digits; at most `most`, for which the
+/// bound of the tail is still valid.
 int nodes_beyond(double digits, double rate, double step, double centre) {
   constexpr double most = 1e6;
   const double tail = digits - std::log(-std::expm1(-rate * step)) + 2;
   return static_cast<int>(std::clamp(std::ceil((tail / rate + centre) / step), 1.0, most));
 }
 
-/// e^-(tau - tau_p) at the node k.
+/// Returns e^-(tau - tau_p) at the node k.
 Ball shift_at(const Ball& h, int k) { return exp(-h * (2 * k + 1) / 2); }
 
 Ball beta(const Ball& a, const Ball& b) { return gamma(a) * gamma(b) / gamma(a + b); }
@@ -65,7 +66,7 @@ Trapezoidal::Trapezoidal(const Ball& length, const Ball& left, const Ball& right
     middle *= power((near + far) / 2, p);
   }
 
-  // Accuracy is meant relative to what the integrand is in the middle.
+  // The accuracy is relative to the integrand in the middle.
   const double excess = std::max(0.0, rough_log2(largest) - rough_log2(middle));
   const double digits = (static_cast<double>(bits) + excess) * std::numbers::ln2;
   const double exponent = (a + b + outside_powers).to_double() + degree;
@@ -94,16 +95,16 @@ Trapezoidal::Trapezoidal(const Ball& length, const Ball& left, const Ball& right
       exponents += point.power * (log(numerator) - log_sum);
     }
     Ball weight = scale * exp(exponents);
-    // y - p = p e^-tau_p (1 - e^-(tau-tau_p))/(1 + e^-tau): no digits are lost but next to the pole.
+    // y - p = p e^-tau_p (1 - e^-(tau-tau_p))/(1 + e^-tau): digits are lost only next to the pole.
     if (pole) weight *= sum / (pole->from_left * at_pole * (1 - shift));
     nodes_.push_back({(l / sum).at(bits), (l * e / sum).at(bits), weight.at(bits)});
   }
 
-  // The bounds of the header.
+  // The bounds in the header.
   const Ball half = d.at(bound_bits) / 2, k = cos(half);
   const Ball size = (power(l.at(bound_bits), a + b - 1) * largest).upper();
   Ball lines = 2 * power(k, -(a + b + outside_powers)) * beta(a, b) / (exp(Ball::pi(bound_bits) * 2 * d / h) - 1);
-  // The first nodes left out on either side.
+  // The first omitted nodes on both sides.
   const Ball e_below = at_pole * shift_at(h, -below - 1), e_above = at_pole * shift_at(h, above);
   Ball low = power(1 / e_below, a) / (1 - exp(-a * h)) * h, high = power(e_above, b) / (1 - exp(-b * h)) * h;
   if (pole) {

@@ -1,6 +1,6 @@
 #pragma once
-// A traction given panel by panel: on each panel a product of powers of the distances to its two ends and of a function
-// that is analytic up to them. What every quadrature route integrates.
+// A traction given panel by panel. On each panel it is a product of powers of the distances from both ends and of a
+// function that is analytic up to the ends. All quadrature routes integrate this form.
 
 #include <functional>
 #include <vector>
@@ -11,15 +11,15 @@
 namespace steadyslide::numeric {
 
 /// t(x) = from_left^{left.value} from_right^{right.value} smooth(node), both powers > -1.
-/// `smooth` may have branch points on the real axis outside the closed panel, no singularity elsewhere.
+/// `smooth` may have branch points on the real axis outside the closed panel, and no other singularities.
 template <Real R>
 struct PanelDensity {
   Panel<R> panel;
   Power<R> left;
   Power<R> right;
   std::function<R(const Node<R>&)> smooth;
-  R gap = 0;                 ///< from the panel before: without contact
-  bool is_constant = false;  ///< `smooth` is one number
+  R gap = 0;                 ///< distance from the previous panel; no contact in between
+  bool is_constant = false;  ///< `smooth` is constant
 
   R operator()(const Node<R>& node) const {
     R value = smooth(node);
@@ -28,7 +28,7 @@ struct PanelDensity {
     return value;
   }
   const Power<R>& power(Side end) const { return end == Side::left ? left : right; }
-  /// t without the power of that end.
+  /// Returns t without the power of that end.
   R without_power(Side end, const Node<R>& node) const {
     R value = smooth(node);
     multiply(value, power(opposite(end)), end == Side::left ? node.from_right : node.from_left);
@@ -41,7 +41,7 @@ struct PanelDensity {
   }
 };
 
-/// Panels from left to right, not overlapping; gaps between them are places without contact.
+/// Panels from left to right that do not overlap. There is no contact in the gaps between them.
 template <Real R>
 using PiecewiseDensity = std::vector<PanelDensity<R>>;
 
@@ -52,7 +52,7 @@ struct PanelPoint {
   Node<R> node;
 };
 
-/// The distance between the ends of panels j and k that face each other, j != k: a sum of positive numbers.
+/// Returns the distance between panels j and k, j != k: a sum of positive numbers.
 template <Real R>
 R distance_between(const PiecewiseDensity<R>& density, std::size_t j, std::size_t k) {
   const auto [first, last] = std::minmax(j, k);

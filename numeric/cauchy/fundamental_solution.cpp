@@ -11,8 +11,8 @@
 namespace steadyslide::numeric {
 namespace {
 
-/// Calls visit(j, |e_j - e|) for all j < count to the left, given the distance from e to e_{count-1}, and likewise to
-/// the right. Distances grow by adding lengths: sums of positive numbers lose nothing.
+/// Calls visit(j, |e_j - e|) for all j < count on the left, given the distance from e to e_{count-1}; the same on the
+/// right. Distances are sums of lengths. All terms are positive, so nothing cancels.
 template <Real R, class Visit>
 void visit_leftwards(const std::vector<Panel<R>>& panels, std::size_t count, R distance, Visit&& visit) {
   for (std::size_t j = count; j-- > 0;) {
@@ -56,10 +56,10 @@ hierarchical::LineSum sum_of(const std::vector<double>& lengths, const std::vect
 
 }  // namespace
 
-// prod d_j^{p_j} over distances d_j >= 0, factor by factor: in double by powers, above by one exponential of a sum of
-// logarithms.
+// prod d_j^{p_j} over distances d_j >= 0, one factor at a time: in double by powers, in higher precision by one
+// exponential of a sum of logarithms.
 
-/// Those of R, and of the digits that are served with it: with ten to spare.
+/// The number of bits of R, and the number of bits for the digits that are returned with R, with ten bits to spare.
 template <Real R>
 inline constexpr int all_bits = std::numeric_limits<R>::digits;
 template <Real R>
@@ -81,7 +81,7 @@ class DistanceProduct<double> {
 template <Real R>
 class DistanceProduct {
  public:
-  /// So many bits are worked with (elementary.hpp).
+  /// `bits` is the working precision (elementary.hpp).
   explicit DistanceProduct(int bits) : product_(bits) {}
   void multiply(const R& distance, const Power<R>& power) {
     product_.multiply(distance.backend().data(), power.value.backend().data());
@@ -98,12 +98,12 @@ class DistanceProduct {
 };
 #endif
 
-// The logarithm of prod_j |x - e_j|^{p_j} over the points e_j that are far from x, by cells (numeric/hierarchical/), for the
-// fundamental solution of many points in double. The points near to x are left to the caller.
+// The logarithm of prod_j |x - e_j|^{p_j} over the points e_j that are far from x, by cells (numeric/hierarchical/),
+// for the fundamental solution of many points in double. The caller adds the points near x.
 
 class DistantPowers {
  public:
-  /// Panels that follow each other, with one power more.
+  /// Takes adjacent panels, and one more power than panels.
   DistantPowers(const std::vector<Panel<double>>& panels, const std::vector<Power<double>>& powers)
       : lengths_(mapped(panels, [](const Panel<double>& panel) { return panel.length; })),
         sum_(sum_of(lengths_, powers)) {
@@ -111,7 +111,8 @@ class DistantPowers {
     for (const double length : lengths_) hull_ += length;
   }
 
-  /// At a place of panel k, its ends included: the sum over the far points, and visit(j, |e_j - x|) for the others.
+  /// Returns the sum over the far points at a place of panel k (or at its ends) and calls visit(j, |e_j - x|) for the
+  /// others.
   template <class Visit>
   double around(std::size_t k, double from_left, double from_right, const Visit& visit) const {
     visit_panel(k, from_left, from_right, visit);
@@ -126,7 +127,7 @@ class DistantPowers {
     return sum_.far(0, k, from_left, from_right);
   }
 
-  /// The same at the distance beyond the first point, or the last one, which is among the points visited.
+  /// The same at a distance beyond the first or the last point, which is one of the visited points.
   template <class Visit>
   double beyond(Side side, double distance, const Visit& visit) const {
     double sum = 0;
@@ -145,15 +146,15 @@ class DistantPowers {
     return sum;
   }
 
-  /// An estimate of the sum's rounding error on panel k, over epsilon.
+  /// Returns an estimate of the sum's rounding error on panel k, divided by epsilon.
   double rounding(std::size_t k) const {
-    // Far points are at least as far away as the panel is long.
+    // The distance of a far point is at least the length of the panel.
     const double longest = std::max({1.0, std::abs(std::log(lengths_[k])), std::abs(std::log(hull_))});
     return hierarchical::logarithm_rounding * size_ * longest;
   }
 
  private:
-  /// visit() for what panel k has of the points: its left end, and the last one.
+  /// Calls visit() for the points of panel k: its left end; for the last panel, also its right end.
   template <class Visit>
   void visit_panel(std::size_t k, double from_left, double from_right, const Visit& visit) const {
     visit(k, from_left);
@@ -223,7 +224,7 @@ void FundamentalSolution<R>::moduli(std::size_t k, std::span<const R> from_left,
     }
   };
   if constexpr (std::same_as<R, double>) {
-    // Products over more panels than this cost less by cells.
+    // For more panels than this, products by cells are faster.
     constexpr std::size_t most_panels = 512;
     if (panels_.size() > most_panels) return one_by_one([](std::size_t) { return true; });
     std::vector<PowerFactor> of_left, of_right;

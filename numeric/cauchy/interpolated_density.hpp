@@ -1,9 +1,10 @@
 #pragma once
-// The smooth factor of a density, interpolated: for quadratures that ask for it many times where it is an integral itself.
+// The smooth factor of a density, interpolated. For quadratures that need it at many points if it is itself an
+// integral.
 //
-// Parts of the panel, halved until Chebyshev's series of degree n - 1 is exact to rounding as its last coefficients tell, or
-// until halving no longer lowers them: then they are what the factor's own rounding leaves. A part that 2^-12 of the panel
-// leaves unresolved, next to a logarithm, keeps the factor itself.
+// The panel is divided into parts. A part is halved until the last coefficients of Chebyshev's series of degree n - 1
+// show that the series is exact to rounding, or until halving no longer lowers them: then they come from the rounding
+// of the factor. A part of 2^-12 of the panel that is still unresolved, next to a logarithm, keeps the factor itself.
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +43,7 @@ class InterpolatedFactor {
   static constexpr int most_halvings = 12;
   static constexpr std::size_t nodes = std::same_as<R, double> ? 16 : std::same_as<R, Real50> ? 40 : 72;
 
-  /// In units of the panel.
+  /// In units of the panel length.
   struct Part {
     R left;
     R width;
@@ -59,7 +60,7 @@ class InterpolatedFactor {
 
   static R cosine(std::size_t k) { return cos(pi<R>() * static_cast<double>(k) / static_cast<double>(2 * nodes)); }
 
-  /// `before`: what the part of twice this width has missed, relative.
+  /// `before`: the relative error of the part of twice this width.
   void resolve(const R& left, const R& width, int halvings, const R& before, const std::vector<R>& cosines,
                std::vector<Part>& result) const {
     std::vector<R> values, series;
@@ -76,7 +77,7 @@ class InterpolatedFactor {
       largest = std::max(largest, R(abs(series.back())));
     }
     const R missed = abs(series[nodes - 1]) + abs(series[nodes - 2]);
-    // Next to a logarithm they fall by a half or more with each halving, and not as low as that.
+    // Next to a logarithm they decrease to a half or less with each halving, and stay above this level.
     const R roundings = largest * epsilon<R>();
     const bool is_rounding = missed <= 1e4 * roundings && missed > before * largest / 2;
     if (missed <= 16 * roundings || is_rounding) {
@@ -95,7 +96,7 @@ class InterpolatedFactor {
   Once<std::vector<Part>> parts_;
 };
 
-/// The same density, what is smooth in it sampled when it is first asked for.
+/// Returns the same density with interpolated smooth factors, which are sampled at first use.
 template <Real R>
 PanelDensity<R> interpolated(PanelDensity<R> density) {
   const auto factor = std::make_shared<const InterpolatedFactor<R>>(density.panel, std::move(density.smooth));

@@ -1,10 +1,10 @@
 #pragma once
-// Points x of the surface, by their distances from the ends of the panel where they are.
+// Finds the panel that contains a point x of the surface, and the distances of x from the ends of the panel.
 //
-// An end e is kept as two numbers, e = high + low, low = e - high rounded. (x - high) - low is x - e with a relative error
-// of at most eps(R), the distance from 1 to the next number, however close x is to e: x - high is exact where they are of
-// one size, and low, below |x - e| unless x = high, is then right to half a unit. Distances in another unit, not a power of
-// two, have twice that.
+// An end e is kept as two numbers, e = high + low, low = e - high rounded. (x - high) - low is x - e with a relative
+// error of at most eps(R), the distance from 1 to the next number, however close x is to e. If x and high have similar
+// size, x - high is exact; then low, which is below |x - e| unless x = high, is correct to half a unit. In a unit that
+// is not a power of two, distances have twice that error.
 
 #include <algorithm>
 #include <limits>
@@ -18,7 +18,7 @@ namespace steadyslide::numeric {
 template <Real R>
 class PanelFinder {
  public:
-  /// The panels' ends, left to right, in the user's x; distances are told in `unit`.
+  /// Takes the ends of the panels, from left to right, in the user's x. Distances are returned in `unit`.
   PanelFinder(const std::vector<Rational>& ends, const Rational& unit) : per_unit_(to_real<R>(1 / unit)) {
     for (const Rational& end : ends) {
       high_.push_back(to_real<R>(end));
@@ -26,9 +26,9 @@ class PanelFinder {
     }
   }
 
-  /// Calls inside(panel, first, from_left, from_right) for points x[first], x[first + 1], ... of one panel, and at_end(i)
-  /// where x[i] is an end, or too close to one for a distance. Points beyond all panels are left out. Neighbouring points
-  /// of one panel are told together: points in order cost least.
+  /// Calls inside(panel, first, from_left, from_right) for points x[first], x[first + 1], ... of one panel. Calls
+  /// at_end(i) if x[i] is an end, or so close to one that the distance underflows. Skips points beyond all panels.
+  /// Consecutive points of one panel are passed in one call, so sorted points cost least.
   template <class Inside, class AtEnd>
   void visit(std::span<const R> x, const Inside& inside, const AtEnd& at_end) const {
     constexpr std::size_t most = 256;
@@ -59,10 +59,11 @@ class PanelFinder {
   }
 
  private:
-  /// x - e.
+  /// Returns x - e.
   R distance(const R& x, std::size_t end) const { return (x - high_[end]) - low_[end]; }
 
-  /// The panel with e_k <= x < e_{k+1}, the last one for the last end; any number from that of the panels on beyond them.
+  /// Returns k with e_k <= x < e_{k+1}; for the last end, the last panel. Outside all panels the result is at least the
+  /// number of panels.
   std::size_t panel_of(const R& x) const {
     auto k = static_cast<std::size_t>(std::upper_bound(high_.begin(), high_.end(), x) - high_.begin());
     if (k < high_.size() && distance(x, k) >= 0) ++k;

@@ -1,5 +1,5 @@
 #pragma once
-// Tractions of the form t = amplitude_k |Y(x)| on panel k: what every closed form for a polynomial profile is.
+// Tractions of the form t = amplitude_k |Y(x)| on panel k. All closed forms for polynomial profiles have this form.
 
 #include <memory>
 
@@ -14,13 +14,13 @@ struct PowerTraction {
   std::vector<R> amplitudes;  ///< one per panel
 
   R operator()(std::size_t panel, const Node<R>& node) const { return amplitudes[panel] * weight.modulus(panel, node); }
-  /// At many points of a panel, by their distances from its ends: FundamentalSolution::moduli.
+  /// Computes t at many points of a panel, given by their distances from its ends (FundamentalSolution::moduli).
   void operator()(std::size_t panel, std::span<const R> from_left, std::span<const R> from_right,
                   std::span<R> values) const {
     weight.moduli(panel, from_left, from_right, values);
     for (R& value : values) value *= amplitudes[panel];
   }
-  /// The same traction for the quadrature routes. It keeps its own copy of the weight.
+  /// Returns the same traction for the quadrature routes, with its own copy of the weight.
   PiecewiseDensity<R> density() const {
     const auto shared = std::make_shared<const FundamentalSolution<R>>(weight);
     PiecewiseDensity<R> result;

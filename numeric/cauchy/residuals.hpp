@@ -1,6 +1,7 @@
 #pragma once
-// Does a traction satisfy the contact problem? In reduced quantities, by rules that no solver uses: above double by the
-// double-exponential grid where it suits, else by the trapezoidal one.
+// Checks if a traction satisfies the contact problem, in reduced quantities and by quadrature rules that no solver
+// uses: in higher precision than double the double-exponential grid where it is suitable, otherwise the trapezoidal
+// grid.
 
 #include <algorithm>
 #include <array>
@@ -13,7 +14,7 @@
 
 namespace steadyslide::numeric {
 
-/// Where a gap is looked at, over its length: Chebyshev's points, as double knows them.
+/// The points at which a gap is checked, as fractions of its length: Chebyshev's points in double.
 template <Real R>
 std::array<R, 8> gap_places() {
   std::array<R, 8> result;
@@ -26,7 +27,7 @@ class SurfaceCheck {
  public:
   using ProfileSlope = std::function<R(std::size_t panel, const Node<R>&)>;
 
-  /// t panel by panel, s on each panel, and psi'/c, tilted as the indenter is.
+  /// Takes t panel by panel, s on each panel, and psi'/c with the indenter's tilt.
   SurfaceCheck(PiecewiseDensity<R> traction, std::vector<R> s, ProfileSlope profile_slope)
       : density_(std::move(traction)), s_(std::move(s)), profile_slope_(std::move(profile_slope)) {
     if constexpr (!std::same_as<R, double>) {
@@ -34,22 +35,23 @@ class SurfaceCheck {
     }
   }
 
-  /// int t.
+  /// Returns int t.
   R integral() const {
     if constexpr (!std::same_as<R, double>) {
       if (short_grid_) return short_grid_->integral();
     }
     return grid().integral();
   }
-  /// int t over panel k, above double; absent where the short grid does not suit.
+  /// Returns int t over panel k in higher precision than double; absent if the short grid is not suitable.
   std::optional<Estimate<R>> panel_integral(std::size_t k) const {
     if constexpr (!std::same_as<R, double>) {
       if (short_grid_) return short_grid_->panel_integral(k);
     }
     return std::nullopt;
   }
-  /// The largest relative residual of A t = psi'/c (sliding_operator.hpp) over points of every panel, from 1e-6 of its
-  /// length from one end to 1e-6 from the other; on the short grid at two or three, not next to the ends.
+  /// Returns the largest relative residual of A t = psi'/c (sliding_operator.hpp) over points of every panel, from 1e-6
+  /// of its length from one end to 1e-6 from the other. The short grid has two or three points in a panel, not next to
+  /// the ends.
   R equation() const {
     R worst = 0;
     for_points([&](const auto& grid, const auto& point) {
@@ -59,7 +61,8 @@ class SurfaceCheck {
     });
     return worst;
   }
-  /// The largest t at those points, or at all nodes of the short grid between 1e-6 and 1e-6.
+  /// Returns the largest t at those points; for the short grid, at all its nodes at least 1e-6 of the length from both
+  /// ends.
   R highest_traction() const {
     if constexpr (!std::same_as<R, double>) {
       if (short_grid_) return short_grid_->highest();
@@ -70,10 +73,10 @@ class SurfaceCheck {
     });
     return highest;
   }
-  /// u/c at the distance d beyond the end of panel k, where a gap begins, minus u/c at that end.
+  /// Returns u/c at the distance d beyond the end of panel k, where a gap begins, minus u/c at that end.
   R displacement(std::size_t k, Side end, const R& distance) const { return grid().displacement(k, end, distance); }
-  /// By how much the surface stands higher there than a profile that rises by `rise` from that end; 0 where the gap is
-  /// open. More digits than double's are made only for a gap that double cannot tell from 0.
+  /// Returns by how much the surface lies above a profile that rises by `rise` from that end; 0 if the gap is open.
+  /// Higher precision than double is used only if double cannot distinguish the gap from 0.
   R penetration(std::size_t k, Side end, const R& distance, const R& rise) const {
     if constexpr (!std::same_as<R, double>) {
       const auto profile = static_cast<double>(rise);
@@ -86,7 +89,7 @@ class SurfaceCheck {
   }
 
  private:
-  /// The trapezoidal grid, made when it is needed.
+  /// Returns the trapezoidal grid, which is computed at first use.
   const trapezoidal::Grid<R>& grid() const {
     return grid_([this] { return trapezoidal::Grid<R>(density_); });
   }
@@ -107,7 +110,7 @@ class SurfaceCheck {
         return;
       }
     }
-    // Numerators over 10^6: exact at every precision.
+    // Numerators over 10^6, which are exact at every precision.
     constexpr int denominator = 1'000'000;
     for (std::size_t k = 0; k < density_.size(); ++k) {
       for (const int place : {1, 100, 10'000, 250'000, 500'000, 800'000, 990'000, 999'900, 999'999}) {

@@ -3,11 +3,11 @@
 namespace steadyslide::numeric::second_kind {
 namespace {
 
-// Where the series about the end of the interval cost as much as those about infinity.
+// The distance at which the series about the end of the interval and those about infinity cost the same.
 constexpr double crossover = 0.6;
 
 /// sum_k (-d)^k/(c+k) by Euler's transformation, all terms positive: (1-v) sum_k k! v^k/(c (c+1) ... (c+k)),
-/// v = d/(1+d). This is the sum without its factor, 0 <= v <= 5/8.
+/// v = d/(1+d). Returns the sum without its factor (1-v), for 0 <= v <= 5/8.
 template <Real R>
 R euler_series(const R& c, const R& v) {
   R term = 1 / c;
@@ -19,7 +19,7 @@ R euler_series(const R& c, const R& v) {
   return sum;
 }
 
-/// What follows is smooth through a = 0 and used for |a| <= 1/4: pi/sin(pi a) - 1/a.
+/// Returns pi/sin(pi a) - 1/a, which is smooth at a = 0. Used for |a| <= 1/4.
 template <Real R>
 R cosecant_rest(const R& a) {
   const R square = pi<R>() * pi<R>() * a * a;
@@ -33,7 +33,7 @@ R cosecant_rest(const R& a) {
   return pi<R>() * pi<R>() * a * cubic / (1 - square * cubic);
 }
 
-/// (x^a - 1)/a, log(x) at a = 0. A long exponent is left to the power function, which keeps its digits.
+/// Returns (x^a - 1)/a; log(x) for a = 0. For a large exponent it calls the power function, which keeps the digits.
 template <Real R>
 R power_quotient(const R& a, const R& x) {
   if (a == 0) return log(x);
@@ -41,7 +41,8 @@ R power_quotient(const R& a, const R& x) {
   return (abs(exponent) < 1 ? expm1(exponent) : pow(x, a) - 1) / a;
 }
 
-/// x^a times f from whichever of a, 1 + a is smaller: the larger has lost what decides the power of a tiny x.
+/// Returns x^a times f, computed from the smaller one of a and 1 + a. The larger one has lost the digits that determine
+/// the power of a tiny x.
 template <Real R>
 R times_power(const R& f, const Power<R>& a, const R& x) {
   return a.plus_one < 0.5 ? f * pow(x, a.plus_one) / x : f * pow(x, a.value);
@@ -55,7 +56,7 @@ R left_of(const Power<R>& a, const R& distance) {
   if (distance >= crossover) return v * euler_series(a.plus_one, v);
   // y^a = y^(a-1) ((y + d) - d)
   if (a.value >= 0.25) return 1 / a.value - distance * left_of(Power<R>{a.value - 1, a.value}, distance);
-  // pi d^a/sin(pi (1+a)) from the whole half-line, less what lies beyond 1: sum_k (-d)^k/(k-a).
+  // The half-line gives pi d^a/sin(pi (1+a)). Subtract the part beyond 1, sum_k (-d)^k/(k-a).
   const R tail = distance * v * euler_series(1 - a.value, distance * v);
   if (a.value <= -0.25) {
     const R whole = times_power(pi<R>() / sin(pi<R>() * a.plus_one), a, distance);

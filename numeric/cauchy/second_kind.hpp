@@ -1,9 +1,9 @@
 #pragma once
-// The Cauchy integral of a power over the unit interval that exact subtraction needs, a function of the second kind:
+// The Cauchy integral of a power over the unit interval, a function of the second kind. Exact subtraction needs it.
 //
-//   left_of: int_0^1 y^a/(y + d) dy,   d > 0: a point at the distance d from the end where the power sits,
+//   left_of: int_0^1 y^a/(y + d) dy,   d > 0: a point at the distance d from the singular end,
 //
-// for -1 < a < 1, to full relative precision however small d is, and however near a is to -1 or to 0.
+// for -1 < a < 1, to full relative precision for arbitrarily small d and for a arbitrarily close to -1 or 0.
 
 #include "numeric/number/power.hpp"
 

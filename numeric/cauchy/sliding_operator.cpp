@@ -16,7 +16,7 @@ Estimate<R> hilbert(const trapezoidal::Grid<R>& grid, const PanelPoint<R>& at) {
   return {value, 100 * epsilon<R>() * (abs(value) + abs(grid.density()[at.panel](at.node)))};
 }
 
-/// H of a density as a function of the point; it holds what it needs.
+/// Returns H of a density as a function of the point. The function owns its data.
 template <Real R>
 std::function<Estimate<R>(const PanelPoint<R>&)> hilbert_by(const PiecewiseDensity<R>& traction, Route route) {
   switch (route) {

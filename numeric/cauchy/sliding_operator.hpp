@@ -12,20 +12,20 @@
 
 namespace steadyslide::numeric {
 
-/// The unrelated ways to the principal value. GSL works in double only: std::invalid_argument at other precisions.
+/// Independent methods for the principal value. GSL works in double only; other precisions throw std::invalid_argument.
 enum class Route { tanh_sinh, trapezoidal, gsl };
 
-/// A t at one point, by its terms.
+/// The terms of A t at one point.
 template <Real R>
 struct SlidingTerms {
   R traction;           ///< t
   Estimate<R> hilbert;  ///< H t
   R friction;           ///< s t
 
-  /// A t.
+  /// Returns A t.
   Estimate<R> sum() const;
-  /// |A t - slope| / max(|slope|, |s t|, |H t|, |t|). |t| is in the scale because the other three vanish together where
-  /// s and the slope do.
+  /// Returns |A t - slope| / max(|slope|, |s t|, |H t|, |t|). The scale contains |t| because the other three are all
+  /// zero if s and the slope are.
   R residual(const R& slope) const;
 };
 
@@ -34,12 +34,12 @@ class SlidingOperator {
  public:
   /// s holds one value per panel.
   SlidingOperator(PiecewiseDensity<R> traction, std::vector<R> s, Route route);
-  /// By samples that are there already; they have to outlive the operator. The error of their principal values is that
-  /// of rounding: the rule has no estimate of its own.
+  /// Uses existing samples, which must outlive the operator. The error of their principal values is the rounding error:
+  /// the rule has no error estimate.
   SlidingOperator(const trapezoidal::Grid<R>& grid, std::vector<R> s);
   SlidingOperator(trapezoidal::Grid<R>&& grid, std::vector<R> s) = delete;
 
-  /// At a point inside a panel.
+  /// Returns the terms at a point inside a panel.
   SlidingTerms<R> at(const PanelPoint<R>& point) const;
 
  private:

@@ -43,7 +43,7 @@ PiecewiseDensity<R> traction_density(const TractionRepresentation<R>& form) {
   const std::vector<std::size_t>& segments = form.set().contact_segments();
   for (const std::size_t k : segments) result.push_back(panel_density(form, k));
   if (!result.empty()) result.front().gap = 0;
-  // No singular point but the ends of the only panel.
+  // The only singular points are the ends of the only panel.
   if (result.size() == 1) result.front().is_constant = form.regular_value_is_constant(form.slope_at(segments.front()));
   return result;
 }

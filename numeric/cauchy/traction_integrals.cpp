@@ -12,22 +12,23 @@
 
 namespace steadyslide::numeric {
 
-// What the shear t_t = r_k t on many panels does to a place x in or beside one with the ratio r:
+// The sum over many panels with shear t_t = r_k t, at a place x in or beside a panel with the ratio r:
 //
 //   sum_k (r_k - r) (1/pi) int_k t/(x'-x) dx',
 //
-// in double. Panels that are far from x stand together in cells (numeric/hierarchical/), their sources the nodes of the rules
-// by which every method tells its traction (piecewise_traction.hpp): a place costs O(log n). Those that are near are left to
-// the caller. A rule is right for functions whose poles are a panel's length away, and a cell is far where that holds.
+// in double. Panels far from x are grouped in cells (numeric/hierarchical/). The sources are the nodes of the
+// quadrature rules that represent the traction of every method (piecewise_traction.hpp). A place costs O(log n). The
+// caller adds the panels near x. A rule is accurate if the poles of the integrand are at least a panel's length away;
+// cells are far in this sense.
 
 class DistantTractions {
  public:
-  /// Segment k of the traction is panel k of the density, all lengths `unit` times as long.
+  /// Segment k of the traction is panel k of the density, with all lengths multiplied by `unit`.
   DistantTractions(const PiecewiseDensity<double>& density, const PiecewiseTraction<double>& traction, double unit)
       : line_(density, traction, unit), moments_(line_.lengths, line_.sources, line_.weights) {}
 
-  /// The sum over far panels, and visit(k, side, distance) for the others, x on that side of panel k. The panel that x is in is
-  /// left out: its ratio is r.
+  /// Returns the sum over far panels, and calls visit(k, side, distance) for the others; x is on that side of panel k.
+  /// The panel that contains x is left out, because its ratio is r.
   template <class Visit>
   Estimate<double> around(const LinePlace<double>& place, double ratio, const Visit& visit) const {
     const hierarchical::PanelTree& tree = moments_.tree();
@@ -49,7 +50,7 @@ class DistantTractions {
     } else if (const std::size_t before = line_.leaf_of[place.panels - 1]; before + 1 < line_.leaf_of[place.panels]) {
       tree.around(before + 1, place.to_left, place.to_right, takes, near);
     } else {
-      // Where two panels meet: the end of the one on the left.
+      // Two panels meet here: use the end of the left one.
       visit(place.panels - 1, Side::right, 0.0);
       tree.around(before, line_.lengths[before], 0.0, takes, near);
     }
@@ -63,7 +64,7 @@ class DistantTractions {
     std::vector<std::size_t> leaf_of;   ///< by panel
     std::vector<std::size_t> panel_of;  ///< by leaf
     std::vector<hierarchical::Source> sources;
-    /// Forces times r_k, forces, and what the sum of both may be wrong by.
+    /// Forces times r_k, forces, and the error bounds of the sum of both.
     std::vector<std::vector<double>> weights{3};
 
     Line(const PiecewiseDensity<double>& density, const PiecewiseTraction<double>& traction, double unit) {
@@ -102,7 +103,7 @@ class DistantTractions {
     }
   };
 
-  /// What a cell at this distance, on that side of x, has of the sum.
+  /// Returns the contribution of a cell at this distance, on that side of x.
   Estimate<double> of_cell(std::size_t cell, Side side, double distance, double ratio) const {
     // From the centre c: 1/(x'-x) = -+(1/D) sum_k r^k u^k, D = |x - c|.
     const double h = moments_.tree().cells()[cell].extent / 2;
@@ -122,7 +123,7 @@ class DistantTractions {
 
 namespace {
 
-/// int t over the part of a panel between one of its ends and a node, in the half at that end.
+/// Returns int t from an end of a panel to a node in the half at that end.
 template <Real R>
 Estimate<R> part_integral(const PanelDensity<R>& density, Side end, const R& distance) {
   const Panel<R> part = end == Side::left ? Panel<R>{density.panel.left, density.panel.left + distance, distance}
@@ -166,12 +167,12 @@ template <Real R>
 Estimate<R> TractionIntegrals<R>::cauchy(std::size_t k, Side side, const R& distance) const {
   const OnPanel& on = on_panels_[k];
   if (distance > 0) return tanh_sinh::cauchy<R>({density_[k]}, side, distance).widened(on.relative_error);
-  // The distance to x is the one to the panel's end: a power lower by one.
+  // Here x is an end of the panel, so dividing by the distance lowers its power by one.
   PanelDensity<R> divided = density_[k];
   Power<R>& power = side == Side::left ? divided.left : divided.right;
   power = {power.value - 1, power.value};
   Estimate<R> integral = tanh_sinh::panel_integral(divided).widened(on.relative_error) / pi<R>();
-  // Towards the end t vanishes, but its rounding error does not.
+  // t vanishes at the end, but its rounding error does not.
   integral.error += (side == Side::left ? on.left_error : on.right_error) * tanh_sinh::logarithm(power) / pi<R>();
   return side == Side::left ? integral : -integral;
 }
@@ -223,11 +224,11 @@ Estimate<R> TractionIntegrals<R>::limit(const LinePlace<R>& place, Side side, co
   const bool touches = on_left ? touches_left : touches_right;
   if (touches_left && touches_right) {
     const Rational rise = on_panels_[place.panels].ratio - on_panels_[place.panels - 1].ratio;
-    // t_t jumps: by a finite or logarithmic t the slope is -(rise/pi) t log d and more, and where t blows up by a power
-    // that of s leads to what follows.
+    // t_t jumps. For a finite or logarithmic t, the slope is -(rise/pi) t log d plus smaller terms. If t blows up by a
+    // power, the cases below with s apply.
     if (rise != 0 && t.value != 0 && (gamma_ == 0 || !isinf(t.value))) return infinite(R(-sign(rise)));
   }
-  // gamma t - r s t = gamma (1 + f^2) t; at a jump of f the other side's part does not turn the sign.
+  // gamma t - r s t = gamma (1 + f^2) t. At a jump of f, the contribution of the other side does not change the sign.
   if (touches && isinf(t.value) && gamma_ != 0) {
     const bool jumps =
         touches_left && touches_right && on_panels_[place.panels].ratio != on_panels_[place.panels - 1].ratio;
@@ -240,7 +241,7 @@ Estimate<R> TractionIntegrals<R>::limit(const LinePlace<R>& place, Side side, co
     if (ratio != 0) return infinite(R(ratio * (slope_there.value > 0 ? 1 : -1)));
     return from_slope(panel, place, {}, {});
   }
-  // Without gamma, s is 0 as well: an infinite t is of no weight.
+  // If gamma = 0 then s = 0, so an infinite t has no influence.
   return from_slope(panel, place, isinf(t.value) ? Estimate<R>{} : t, slope_there);
 }
 

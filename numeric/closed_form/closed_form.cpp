@@ -43,7 +43,7 @@ std::vector<Rational> ClosedForm<R>::points() const {
   return result;
 }
 
-/// Of |Y| in the middle of a panel, the ends' own error counted `times`.
+/// Returns the relative error of |Y| in the middle of a panel, with the error of the ends counted `times` times.
 template <Real R>
 R ClosedForm<R>::relative_error(std::size_t panel, int times) const {
   const Panel<R>& p = weight().panel(panel);
@@ -54,7 +54,7 @@ template <Real R>
 Estimate<R> ClosedForm<R>::intensity(std::size_t j) const {
   const std::size_t last = weight().panel_count();
   R theta = abs(data_.factor) * weight().amplitude(j);
-  // At an end theta carries the cos(pi alpha) of the contact side; at a jump the definition takes it out.
+  // At an end theta contains cos(pi alpha) of the contact side; at a jump its definition does not contain it.
   if (j == 0) theta = abs(data_.traction.amplitudes.front()) * weight().amplitude(j);
   if (j == last) theta = abs(data_.traction.amplitudes.back()) * weight().amplitude(j);
   return {theta, theta * relative_error(std::min(j, last - 1), 4)};
@@ -117,7 +117,7 @@ Resultants<R> ClosedForm<R>::resultants() const {
     Resultants<R> result = resultants_of(on_pieces, problem_.friction().values());
     result.component_load = {result.normal};
 
-    // The moments of t are the coefficients of u' at infinity, and those are power sums of the singular points.
+    // The moments of t are coefficients of u' at infinity, which are power sums of the singular points.
     R sum1 = 0, sum2 = 0, sum3 = 0, size = 0;
     for (std::size_t j = 0; j < data_.exponents.size(); ++j) {
       const R& p = weight().powers()[j].value;
@@ -156,7 +156,7 @@ LargestPressure<R> ClosedForm<R>::largest_pressure() const {
   if (const auto infinite = infinite_pressure(singular_points())) return *infinite;
   std::vector<R> lengths;
   for (std::size_t k = 0; k < weight().panel_count(); ++k) lengths.push_back(weight().panel(k).length);
-  // The pressure is 0 at free ends, and where friction falls.
+  // The pressure is 0 at free ends, and at jumps where friction decreases.
   const PanelFunction<R> pressure = [this](std::size_t k, const R& left, const R& right) {
     const Node<R> node{weight().panel(k).left + left, left, right};
     return Estimate<R>{-traction(k, node), R(0)}.widened(weight().relative_error(k, node, data_.end_error));
@@ -188,7 +188,7 @@ R ClosedForm<R>::profile_slope(const R& from_origin) const {
 template <Real R>
 Estimate<R> ClosedForm<R>::slope_in_contact(const R& from_origin) const {
   const R slope = compliance_ * profile_slope(from_origin);
-  // A place is a sum of lengths from the left end, which rounding shifts.
+  // A place is a sum of lengths from the left end; rounding shifts it.
   const R shift = 2 * epsilon<R>() * max(abs(weight().point(0)), abs(weight().point(weight().panel_count())));
   return {slope, 4 * epsilon<R>() * abs(slope) + compliance_ * abs(profile_slope(shift))};
 }
@@ -223,7 +223,7 @@ Residuals<R> ClosedForm<R>::residuals() const {
       deepest = max(deepest, check().penetration(panel, side, distance, rise));
     }
   }
-  // Reduced (divided by c), and so is the bound c P / c.
+  // Both are reduced (divided by c): the penetration, and its bound c P / c.
   result.penetration = deepest / load;
   result.tension = max(check().highest_traction(), R(0)) * width / load;
   return result;
@@ -258,7 +258,7 @@ const TractionIntegrals<R>& ClosedForm<R>::integrals() const {
   return integrals_([this] {
     std::vector<typename TractionIntegrals<R>::OnPanel> on_panels;
     for (std::size_t k = 0; k < weight().panel_count(); ++k) {
-      // An eighth of a panel from its ends.
+      // Sample at an eighth of a panel from its ends.
       R error = 0;
       for (const R& part : {R(0.125), R(0.875)}) {
         const Panel<R>& panel = weight().panel(k);
@@ -272,7 +272,7 @@ const TractionIntegrals<R>& ClosedForm<R>::integrals() const {
   });
 }
 
-// The closed form at places of the surface.
+// Values of the closed form at places of the surface.
 
 template <Real R>
 Sample<R> ClosedForm<R>::inside(std::size_t panel, const Node<R>& node, const R& traction) const {
@@ -311,10 +311,10 @@ Sample<R> ClosedForm<R>::at_point(std::size_t j) const {
   return sample;
 }
 
-/// psi - u - C beyond an end, psi continued: negative beside a punch.
+/// Returns psi - u - C beyond an end, with psi continued. It is negative beside a punch.
 template <Real R>
 Estimate<R> ClosedForm<R>::below_profile(Side side, const R& distance) const {
-  // Its derivative is c N |Y| away from the contact, with the power of the end absorbed by the rule.
+  // Outside the contact its derivative is c N |Y|. The rule takes the power of the end as its weight.
   const PanelDensity<R> integrand{
       {R(0), distance, distance},
       side == Side::left ? weight().powers().front() : weight().powers().back(),
@@ -356,7 +356,7 @@ typename ClosedForm<R>::Place ClosedForm<R>::locate(const Rational& x) const {
   };
   if (distance_from(0) < 0) return {0, {}, Side::left, -distance_from(0)};
   if (distance_from(last) > 0) return {last - 1, {}, Side::right, distance_from(last)};
-  // The last of the points 0..last-1 on the left of x, 0 if none is.
+  // The last of the points 0..last-1 on the left of x; 0 if there is none.
   std::size_t k = 0;
   for (std::size_t step = std::bit_floor(last); step > 0; step /= 2) {
     if (k + step < last && distance_from(k + step) > 0) k += step;
@@ -406,7 +406,7 @@ std::vector<std::pair<typename ClosedForm<R>::Place, R>> ClosedForm<R>::places(i
     const R length = gap_length(side);
     if (length == 0) return;
     for (int i = 0; i < count; ++i) {
-      // From left to right: towards the contact on the left of it, away from it on the right.
+      // From left to right: towards the contact on its left side, away from the contact on its right side.
       const auto [forth, back] = chebyshev_position<R>(i, count);
       const std::size_t panel = side == Side::left ? 0 : weight().panel_count() - 1;
       result.push_back({{panel, {}, side, length * (side == Side::left ? back : forth)}, R(0)});
@@ -415,7 +415,7 @@ std::vector<std::pair<typename ClosedForm<R>::Place, R>> ClosedForm<R>::places(i
   add_gap(Side::left);
   const std::size_t panels = weight().panel_count();
   const R width = weight().point(panels) - weight().point(0);
-  // Each panel gets its part of the count, half of it by number and half by length.
+  // The points are distributed over the panels: one half equally, the other half in proportion to the length.
   const auto points_before = [&](std::size_t k) {
     const R part = R(static_cast<double>(k)) / static_cast<double>(panels);
     const R length = (weight().point(k) - weight().point(0)) / width;

@@ -1,8 +1,8 @@
 #pragma once
-// Closed forms on one contact component [e_0, e_n], for profiles that leave no integral: with Y of
-// fundamental_solution.hpp and N a constant,
+// Closed forms on one contact component [e_0, e_n], for profiles that need no integrals. With Y of
+// fundamental_solution.hpp and a constant N,
 //
-//   u'/c = psi'/c - N Y off the contact,   t = -|N| cos(pi alpha) |Y| on it.
+//   u'/c = psi'/c - N Y outside the contact,   t = -|N| cos(pi alpha) |Y| on it.
 //
 //   flat punch: the whole support in contact, edges at both ends, N = -P/pi. [Bal16, (4), (5)-(7)]
 //   parabola:   free ends, N = 1/R. Contains Galin's parabola [Bal16, section 2].
@@ -20,27 +20,27 @@
 
 namespace steadyslide::numeric {
 
-/// Values of friction that a solution by powers is for: in double its cost grows like their number, and in more digits
-/// like its square.
+/// The largest number of friction values for a solution by powers. Its cost grows in proportion to this number in
+/// double, and to its square in higher precision.
 inline constexpr std::size_t max_friction_pieces = 1'000'000;
 inline constexpr std::size_t max_friction_pieces_in_digits = 1000;
-/// Empty, or why a solution by powers is not for this problem.
+/// Returns why the problem has too many friction values for a solution by powers; empty if it has not.
 std::string too_many_friction_pieces(const ContactProblem& problem, Digits digits);
 
-/// What a closed form consists of.
+/// The data of a closed form.
 template <Real R>
 struct ClosedFormData {
   Rational origin;
-  SingularKind ends;                           ///< edge or free, both alike
+  SingularKind ends;                           ///< `edge` or `free`, the same for both ends
   std::size_t first_piece;                     ///< the friction piece at the left end
   std::vector<Exponent> exponents;             ///< at e_0..e_n
-  std::vector<std::optional<Rational>> exact;  ///< e_0..e_n from the origin, where they are data
+  std::vector<std::optional<Rational>> exact;  ///< e_0..e_n, measured from the origin; absent if not a datum
   R end_error;                                 ///< estimated absolute error of e_0 and e_n
   R factor;                                    ///< N
   PowerTraction<R> traction;
 };
 
-/// The data of the closed form that applies, or the reason why none does.
+/// Returns the data of the closed form that applies, or the reason why none applies.
 template <Real R>
 std::variant<ClosedFormData<R>, std::string> closed_form_data(const ContactProblem& problem);
 
@@ -70,17 +70,16 @@ class ClosedForm : public ContactSolution<R> {
  private:
   const FundamentalSolution<R>& weight() const { return data_.traction.weight; }
   Estimate<R> coordinate(std::size_t j) const;
-  /// e_0..e_n in the user's x.
+  /// Returns e_0..e_n in the user's x.
   std::vector<Rational> points() const;
   R relative_error(std::size_t panel, int times) const;
   Estimate<R> intensity(std::size_t j) const;
   R profile_slope(const R& from_origin) const;
-  /// The slope of the surface in the contact: the profile's, in the user's units.
+  /// Returns the slope of the surface in the contact, which is the slope of the profile, in the user's units.
   Estimate<R> slope_in_contact(const R& from_origin) const;
-  /// What of x is known: the panel it is inside of, by its distances, the singular point it is, or the distance beyond an
-  /// end.
+  /// A place x: a panel and the distances from its ends, or a singular point, or a distance beyond an end.
   struct Place {
-    std::size_t panel;  ///< or the point, or the panel at the end
+    std::size_t panel;  ///< the panel, or the index of the point, or the panel at the end
     std::optional<Node<R>> inside{};
     std::optional<Side> beyond{};
     R distance = 0;
@@ -88,7 +87,7 @@ class ClosedForm : public ContactSolution<R> {
     bool is_point() const { return !inside && !beyond; }
   };
   Place locate(const Rational& x) const;
-  /// Those of samples(): inside panels with the tractions there.
+  /// Returns the places of samples(), with tractions for places inside panels.
   std::vector<std::pair<Place, R>> places(int count) const;
   Sample<R> at(const Place& place) const;
   Sample<R> inside(std::size_t panel, const Node<R>& node, const R& traction) const;
@@ -99,12 +98,13 @@ class ClosedForm : public ContactSolution<R> {
   Sample<R> sample(const std::pair<Place, R>& at) const;
   Estimate<R> limit_at_point(std::size_t j, Side side) const;
   R gap_length(Side side) const;
-  /// The traction sampled by the rule that residuals come from, which is also the cheapest for loads in high precision.
+  /// Returns the traction sampled by the rule for residuals, which is also the fastest rule for loads in high
+  /// precision.
   const SurfaceCheck<R>& check() const;
-  /// int t over each panel.
+  /// Returns int t over each panel.
   const std::vector<Estimate<R>>& loads() const;
   const TractionIntegrals<R>& integrals() const;
-  /// u + C at a place; its error is that of the gap.
+  /// Returns u + C at a place. Its error is that of the gap.
   Estimate<R> height(const Place& place) const;
   DetailedSample<R> detailed(const Place& place, const Sample<R>& sample) const;
 

@@ -7,7 +7,7 @@
 namespace steadyslide::numeric {
 namespace {
 
-/// The one polynomial that all pieces of the profile are.
+/// Returns the polynomial of the profile if all its pieces are the same polynomial.
 std::optional<Polynomial> common_profile(const Indenter& indenter) {
   const Polynomial& first = indenter.pieces().front().profile;
   for (const Indenter::Piece& piece : indenter.pieces()) {
@@ -16,7 +16,7 @@ std::optional<Polynomial> common_profile(const Indenter& indenter) {
   return first;
 }
 
-/// Amplitudes -|N| cos(pi alpha) on the panels, which are the friction pieces from `first_piece` on.
+/// Returns the amplitudes -|N| cos(pi alpha) on the panels. Panel 0 is the friction piece `first_piece`.
 template <Real R>
 std::vector<R> amplitudes(const ContactProblem& problem, std::size_t first_piece, std::size_t panels, const R& factor) {
   std::vector<R> result;
@@ -27,7 +27,7 @@ std::vector<R> amplitudes(const ContactProblem& problem, std::size_t first_piece
   return result;
 }
 
-/// Exponents of end, jumps, end for the contact on the pieces first..last.
+/// Returns the exponents of the left end, the jumps and the right end, for the contact on the pieces first..last.
 std::vector<Exponent> exponents(const ContactProblem& problem, SingularKind ends, std::size_t first, std::size_t last) {
   const auto end_exponent = ends == SingularKind::edge ? edge_exponent : free_exponent;
   std::vector<Exponent> result{end_exponent(End::left, problem.coupled_friction(first))};

@@ -8,7 +8,7 @@
 namespace steadyslide::numeric {
 namespace {
 
-/// The contact on pieces first..last, with the jumps between them inside.
+/// The contact on the pieces first..last, which contains the jumps between them.
 template <Real R>
 class Candidate {
  public:
@@ -25,7 +25,7 @@ class Candidate {
     }
   }
 
-  /// The K at which the end reaches the next jump on that side; none if there is no further jump.
+  /// Returns the K at which the end reaches the next jump on that side; absent if there is no such jump.
   std::optional<R> threshold(Side side) const {
     if (side == Side::left ? first_ == 0 : last_ + 1 == s_.size()) return std::nullopt;
     const R reached = to_real<R>(side == Side::left ? jumps_[first_ - 1] : jumps_[last_]);
@@ -70,7 +70,7 @@ class Candidate {
 
 template <Real R>
 ParabolaZone<R> parabola_zone(const std::vector<Rational>& s, const std::vector<Rational>& jumps, const R& K) {
-  // Under the smallest load the contact is the vertex alone, with a jump that lies exactly there inside.
+  // For the smallest load the contact is only the vertex. A jump exactly at the vertex lies inside the contact.
   const auto first =
       static_cast<std::size_t>(std::lower_bound(jumps.begin(), jumps.end(), Rational(0)) - jumps.begin());
   const auto last = static_cast<std::size_t>(std::upper_bound(jumps.begin(), jumps.end(), Rational(0)) - jumps.begin());

@@ -9,25 +9,26 @@
 namespace steadyslide::numeric {
 namespace {
 
-/// outer | inner | outer, by the logarithm tau of the ratio of the outer strips' lengths.
+/// The layout outer | inner | outer. Its parameter is tau, the logarithm of the ratio of the lengths of the outer
+/// strips.
 template <Real R>
 struct Sandwich {
   std::vector<Rational> s;
   R inner;
-  R room;  ///< of both outer strips together
+  R room;  ///< total length of both outer strips
 
   R left(const R& tau) const { return room / (1 + exp(-tau)); }
   R right(const R& tau) const { return left(-tau); }
   FrictionLayout<R> at(const R& tau) const { return {{left(tau), inner, right(tau)}, s}; }
 
-  /// w at the first jump minus w at the second one: falls as tau grows.
+  /// Returns w at the first jump minus w at the second one, which decreases as tau grows.
   Estimate<R> difference(const R& tau) const {
     const EffectiveFriction<R> friction(at(tau));
     return friction.derivative(left(tau), inner + right(tau)) - friction.derivative(left(tau) + inner, right(tau));
   }
 };
 
-/// The zero of the difference, and the slope there.
+/// The zero of the difference, and its slope there.
 struct Start {
   double zero;
   double slope;
@@ -37,13 +38,13 @@ Start zero_in_double(const Sandwich<double>& sandwich) {
   const auto difference = [&](double tau) { return sandwich.difference(tau).value; };
   double low = -1;
   double high = 1;
-  // The infinite limits of w end that; next to 1/2 - alpha = 0 they are those of a logarithm.
+  // The search ends because w has infinite limits. Close to 1/2 - alpha = 0 these limits are logarithmic.
   constexpr double furthest = 600;
   while (low >= -furthest && !(difference(low) > 0)) low *= 2;
   while (high <= furthest && !(difference(high) < 0)) high *= 2;
   if (low < -furthest || high > furthest) throw std::range_error("a strip is shorter than 1e-200 of the contact");
   boost::uintmax_t steps = 200;
-  // The last digits belong to the rounding of w, not to its zero.
+  // The last digits are rounding errors of w.
   const boost::math::tools::eps_tolerance<double> tolerance(std::numeric_limits<double>::digits - 8);
   const auto [left, right] = boost::math::tools::toms748_solve(difference, low, high, tolerance, steps);
   const double zero = (left + right) / 2;
@@ -51,7 +52,7 @@ Start zero_in_double(const Sandwich<double>& sandwich) {
   return {zero, (difference(zero + step) - difference(zero - step)) / (2 * step)};
 }
 
-/// Secants from what double has found: the digits that are right add up.
+/// Secant steps from the result in double. The numbers of correct digits of two steps add up.
 template <Real R>
 Estimate<R> zero_of(const Sandwich<R>& sandwich, const Start& start) {
   R slope = start.slope;
@@ -86,7 +87,7 @@ FrictionLayout<R>::FrictionLayout(const std::vector<R>& lengths, const std::vect
         {lengths[k], length_, R(0), to_real<R>(angle), to_real<R>(half - angle), to_real<R>(half + angle)});
     length_ += lengths[k];
   }
-  // From the right as a sum, too: a difference would lose a last strip that is short.
+  // The distance from the right is also a sum, because a difference would lose digits of a short last strip.
   R from_right = 0;
   for (auto strip = strips_.rbegin(); strip != strips_.rend(); ++strip) {
     strip->from_right = from_right;
@@ -134,12 +135,12 @@ STEADYSLIDE_INSTANTIATE_CLASS(FrictionLayout)
 template <Real R>
 EffectiveFriction<R>::EffectiveFriction(FrictionLayout<R> layout) : layout_(std::move(layout)) {
   const R digits = -log(epsilon<R>());
-  // A margin for what stands before e^(-2 pi^2/h), with the poles of w on the edge of the strip.
+  // A margin for the factor of e^(-2 pi^2/h): the poles of w lie on the edge of the strip.
   step_ = 2 * pi<R>() * pi<R>() / (digits + 6);
   const auto& strips = layout_.strips();
   const R& length = layout_.length();
-  // Left of the first node A and B differ from their limits by less than epsilon; right of the last one the first two
-  // orders in 1/d are exact.
+  // Left of the first node, A and B differ from their limits by less than epsilon. Right of the last node, the first
+  // two orders in 1/d are exact to rounding.
   const R first = log(epsilon<R>() * std::min(strips.front().length, strips.back().length));
   const R last = log(16 * length / sqrt(epsilon<R>()));
   const int count = static_cast<int>(ceil((last - first) / step_));
@@ -171,7 +172,7 @@ R EffectiveFriction<R>::relative_error() const {
 template <Real R>
 Estimate<R> EffectiveFriction<R>::value() const {
   const auto term = [](const Node& node) { return R(node.weight * (expm1(node.a) - expm1(-node.b))); };
-  R sum = term(nodes_.back()) / expm1(step_);  // beyond the last node terms fall like 1/d
+  R sum = term(nodes_.back()) / expm1(step_);  // beyond the last node terms decrease like 1/d
   for (const Node& node : nodes_) sum += term(node);
   const Node& first = nodes_.front();
   sum += left_tail(first.weight * first.exp_a, layout_.strips().front().below_half);
@@ -183,7 +184,7 @@ template <Real R>
 Estimate<R> EffectiveFriction<R>::direction_difference() const {
   R sum = 0;
   R size = 0;
-  // Terms fall like 1/d^3: nothing is left beyond the last node.
+  // Terms decrease like 1/d^3, so the sum beyond the last node is negligible.
   for (const Node& node : nodes_) {
     const R mean = 4 * node.weight * sinh((node.a + node.b) / 2);
     sum += mean * sinh((node.a - node.b) / 2);
@@ -214,7 +215,7 @@ Estimate<R> EffectiveFriction<R>::derivative(const R& from_left, const R& from_r
   for (const Node& node : nodes_) sum += behind(node) + ahead(node);
   sum += left_tail(behind(first), layout_.strips().front().below_half);
   sum += left_tail(ahead(first), layout_.strips().back().above_half);
-  // dx/(x+y) has no unit, and y runs over 2 where x - 1 runs over the layout's length.
+  // dx/(x+y) has no unit. The punch has length 2 in y and the layout's length in x - 1.
   return Estimate<R>{sum * layout_.length() / 2, R(0)}.widened(relative_error());
 }
 
@@ -237,7 +238,7 @@ ExtremeLayout<R> extreme_layout(const Rational& s_outer, const Rational& s_inner
 template <Real R>
 FineMixture<R> fine_mixture(const std::vector<Rational>& shares, const std::vector<Rational>& s) {
   R mean = 0;
-  R below_half = 0;  // 1/2 - <alpha> and 1/2 + <alpha>, which large friction would cancel
+  R below_half = 0;  // 1/2 - <alpha> and 1/2 + <alpha>; as differences they would lose digits for large friction
   R above_half = 0;
   for (std::size_t k = 0; k < s.size(); ++k) {
     const Exponent angle = Exponent::angle(s[k]);

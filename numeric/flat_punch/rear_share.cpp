@@ -6,8 +6,8 @@
 namespace steadyslide::numeric {
 namespace {
 
-/// I_u(a, b), the regularised incomplete beta function, by Arb: Boost.Math's brings tables of MPFR numbers that every
-/// program would make when it starts.
+/// Returns I_u(a, b), the regularised incomplete beta function, computed by Arb. Boost.Math's function has tables of
+/// MPFR numbers, which every program would compute at its start.
 template <Real R>
 R regularised_beta(const R& a, const R& b, const R& u) {
   constexpr slong spare = 64;

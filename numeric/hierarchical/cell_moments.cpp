@@ -49,7 +49,7 @@ double CellMoments::weighted(std::size_t cell, std::size_t sum, const Series& a,
 }
 
 void CellMoments::gather(const std::vector<Source>& sources, const std::vector<std::vector<double>>& weights) {
-  // Some sources at once: the powers of one wait for each other.
+  // Process several sources together, because the powers of one source depend on each other.
   constexpr std::size_t together = 8;
   for (std::size_t i = 0; i < sources.size();) {
     const std::size_t leaf = tree_.leaf(sources[i].panel);
@@ -80,7 +80,7 @@ void CellMoments::shift_to_parent(std::size_t index) {
   const PanelTree::Cell& parent = tree_.cells()[cell.parent];
   const double ratio = parent.extent > 0 ? cell.extent / parent.extent : 1;
   const double shift = parent.left == index ? ratio - 1 : 1 - ratio;
-  // Where the other child has no sources, this one's are the parent's.
+  // If the other child has no sources, the parent has the moments of this child.
   Series ratios, shifts;
   ratios[0] = shifts[0] = 1;
   for (std::size_t k = 1; k < terms; ++k) {

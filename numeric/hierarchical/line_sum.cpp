@@ -35,7 +35,7 @@ const Tables& tables() {
   return result;
 }
 
-/// Clenshaw's sum at several places.
+/// Evaluates a Chebyshev series by Clenshaw's algorithm at several places.
 void clenshaw(const double* coefficients, const std::array<double, order>& x, double* value) {
   std::array<double, order> b{}, c{};
   for (std::size_t k = order; k-- > 1;) {
@@ -123,7 +123,7 @@ void LineSum::hand_down(std::size_t index, const double* parent_field) {
 double LineSum::far(std::size_t sum, std::size_t k, double from_left, double from_right) const {
   const double length = tree().cells()[tree().leaf(k)].length;
   const double x = std::clamp((from_left - from_right) / length, -1.0, 1.0);
-  // T_2k(x) = T_k(t) and T_2k+1(x) by the same recurrence, t = T_2(x): two sums that do not wait for each other.
+  // T_2k(x) = T_k(t), and T_2k+1(x) has the same recurrence, t = T_2(x). These are two independent sums.
   const double* c = &fields_[(k * sums() + sum) * order];
   const double t = 2 * x * x - 1;
   double even = 0, even_before = 0, odd = 0, odd_before = 0;

@@ -5,7 +5,7 @@
 namespace steadyslide::numeric::hierarchical {
 namespace {
 
-/// Where the panels first..end-1 are cut into two halves of about the same length.
+/// Returns the panel at which first..end-1 are divided into two halves of about the same length.
 std::size_t middle(const std::vector<PanelTree::Panel>& panels, std::size_t first, std::size_t end) {
   double left = panels[first++].length;
   double right = panels[--end].length;

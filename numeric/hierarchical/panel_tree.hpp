@@ -1,11 +1,11 @@
 #pragma once
-// Panels that follow each other on a line, in a binary tree of cells: which cells are so far from which that a few numbers
-// stand for all their sources. A cell is cut where its length is halved, so that the pairs that are far from each other
-// number O(n) however the lengths are distributed [Callahan and Kosaraju, J. ACM 42 (1995) 67: a fair split tree]; panels
-// that grow or shrink geometrically are no exception.
+// A binary tree of cells over adjacent panels on a line. It finds the pairs of cells that are so far from each other
+// that a few numbers can represent all sources of a cell. A cell is divided at half its length, so that there are O(n)
+// far pairs for any distribution of lengths [Callahan and Kosaraju, J. ACM 42 (1995) 67: a fair split tree], also for
+// panels that grow or shrink geometrically.
 //
-// Lengths alone come in, and every distance is a sum of them from the two ends that face each other: between places close
-// to each other it is as exact as the lengths, wherever on the line they are.
+// The input is lengths only. Every distance is the sum of the lengths in between. So the distance of two close places
+// is as accurate as the lengths, anywhere on the line.
 
 #include <cstddef>
 #include <utility>
@@ -17,7 +17,7 @@ namespace steadyslide::numeric::hierarchical {
 
 class PanelTree {
  public:
-  /// Where a panel's sources begin and end, as distances from its two ends.
+  /// The extent of a panel's sources, as distances from its two ends.
   struct Panel {
     double length;
     bool has_sources;
@@ -32,20 +32,20 @@ class PanelTree {
     double before = 0;
     double after = 0;
     double extent = 0;     ///< from the first to the last source
-    std::size_t left = 0;  ///< cells; 0 in a leaf, which is one panel
+    std::size_t left = 0;  ///< cells; 0 in a leaf, which has one panel
     std::size_t right = 0;
     std::size_t parent = 0;
 
     bool is_leaf() const { return left == 0; }
   };
-  /// Sources that stand together for the places of another cell: on the side `side` of it, the nearest one at this
-  /// distance from its end.
+  /// A cell whose sources are summed together for all places of another cell. They are on the side `side` of that cell;
+  /// the nearest source has this distance from its end.
   struct Far {
     std::size_t cell;
     Side side;
     double distance;
   };
-  /// A panel that has to be looked at source by source: `between` lies between the ends that face each other.
+  /// A panel whose sources must be summed one by one. `between` is the distance between the facing ends.
   struct Near {
     std::size_t panel;
     double between;
@@ -53,22 +53,24 @@ class PanelTree {
 
   explicit PanelTree(const std::vector<Panel>& panels);
 
-  /// Parents stand before their children; the first one is the whole line.
+  /// Parents come before their children. The first cell is the whole line.
   const std::vector<Cell>& cells() const { return cells_; }
   std::size_t leaf(std::size_t panel) const { return leaves_[panel]; }
 
-  /// For all places of a cell: neither its length nor the extent of the sources is longer than their distance.
+  /// Returns the far cells for all places of a cell: neither its length nor the extent of their sources exceeds the
+  /// distance.
   const std::vector<Far>& far_from(std::size_t cell) const { return far_[cell]; }
-  /// What no cell around panel k stands for, without the panel itself.
+  /// Returns the panels that no far cell contains, without the panel itself.
   const std::vector<Near>& near_to(std::size_t panel) const { return near_[panel]; }
 
-  /// The same for one place: takes(cell, side, distance of its nearest source) says whether the cell's sources stand
-  /// together; where no cell does, near(panel, distance of its nearer end, side). Panel k itself is left out.
+  /// The same for one place. takes(cell, side, distance of its nearest source) returns true if it handles the cell's
+  /// sources together. For panels in no such cell it calls near(panel, distance of its nearer end, side). Panel k
+  /// itself is left out.
   template <class Takes, class NearVisit>
   void around(std::size_t k, double from_left, double from_right, const Takes& takes, const NearVisit& near) const;
-  /// May the sources of a cell stand together for a place at this distance from the nearest one?
+  /// True if the sources of a cell may be summed together for a place at this distance from the nearest one.
   bool is_far(std::size_t cell, double distance) const { return distance > 0 && distance >= cells_[cell].extent; }
-  /// At a distance beyond the line, on that side of it.
+  /// The same for a place at a distance beyond the line, on that side of it.
   template <class Takes, class NearVisit>
   void beyond(Side side, double distance, const Takes& takes, const NearVisit& near) const {
     descend(0, opposite(side), distance, takes, near);

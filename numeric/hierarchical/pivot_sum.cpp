@@ -6,7 +6,7 @@
 namespace steadyslide::numeric::hierarchical {
 namespace {
 
-/// How many terms of a series in powers of this ratio count: the rest, K ratio^K, is below 2^-52.
+/// Returns the number K of terms to sum in a series of powers of this ratio. The rest, K ratio^K, is below 2^-52.
 std::size_t terms_for(double ratio) {
   const int halvings = -std::ilogb(std::abs(ratio)) - 1;
   return halvings < 2 ? CellMoments::terms : static_cast<std::size_t>(1 + 57 / std::min(halvings, 57));

@@ -1,18 +1,19 @@
 #pragma once
-// Sums over sources c_i on a line as seen from a place x, weighted by their distance from a pivot e:
+// Sums over sources c_i on a line at a place x, weighted by the distance of the sources from a pivot e:
 //
 //   sum_i w_i (c_i - e)^-sigma/(c_i - x),   sigma = 1, 0 or -1.
 //
-// A cell whose sources are far from both is one series. With D = |c - x|, E = |c - e| from its centre, h its half-width,
-// u in [-1, 1] its places, r = +-h/D and q = +-h/E with the sign of x - c, on either side of x and e:
+// A cell whose sources are far from both is one series. With D = |c - x|, E = |c - e| from its centre, h its
+// half-width, u in [-1, 1] its places, r = +-h/D and q = +-h/E with the sign of x - c, on either side of x and e:
 //
 //   sigma = 0:   -+(1/D) sum_k r^k u^k,
 //   sigma = 1:   1/(D E) sum_k H_k u^k,   H_k = r H_{k-1} + q^k (complete homogeneous polynomials),
 //   sigma = -1:  (E/D) (1 + sum_{k>0} r^{k-1} (r - q) u^k).
 //
-// Nothing cancels: the difference of 1/(c_i - x) and 1/(c_i - e) is never formed, however close x and e are. Every cell is
-// seen from the one of both that is nearer, and the other one is farther away by |x - e|. Sources between x and e have to be
-// left out. A place costs O(log n); far means |r|, |q| <= 2/7, so that the rest of a series is below 1e-16 of its sizes.
+// Nothing cancels, even if x and e are very close, because the difference of 1/(c_i - x) and 1/(c_i - e) is never
+// formed. For every cell, the distance is measured from the nearer one of x and e; the other one is farther by |x - e|.
+// Sources between x and e must be left out. A place costs O(log n); far means |r|, |q| <= 2/7, so that the rest of a
+// series is below 1e-16 of its sizes.
 
 #include "numeric/hierarchical/cell_moments.hpp"
 
@@ -20,34 +21,34 @@ namespace steadyslide::numeric::hierarchical {
 
 class PivotSum {
  public:
-  /// Sources from left to right; weights[s][i] is that of source i in sum number s. The last sum is one of sizes:
-  /// sum_i w_i |c_i - e|^-sigma/|c_i - x|.
+  /// Takes sources from left to right; weights[s][i] is the weight of source i in sum number s. The last sum is one of
+  /// absolute values: sum_i w_i |c_i - e|^-sigma/|c_i - x|.
   PivotSum(const std::vector<double>& lengths, const std::vector<Source>& sources,
            const std::vector<std::vector<double>>& weights)
       : moments_(lengths, sources, weights), panels_(static_cast<std::ptrdiff_t>(lengths.size())) {}
 
   std::size_t sums() const { return moments_.sums(); }
 
-  /// In a panel, its ends included, or off the line: panel -1, or the number of panels.
+  /// A place in a panel or at its ends, or outside the line: then `panel` is -1 or the number of panels.
   struct Place {
     std::ptrdiff_t panel;
     double from_left;
     double from_right;
   };
-  /// What a sum is taken for; `offset` is x - e.
+  /// The parameters of a sum; `offset` is x - e.
   struct Kernel {
     Place x;
     Place pivot;
     double offset;
     int sigma;
   };
-  /// Panels first..end-1, which are left out: all those that have sources between x and e are among them.
+  /// The panels first..end-1, which are left out. They include all panels with sources between x and e.
   struct Range {
     std::size_t first;
     std::size_t end;
   };
-  /// Adds to sums[s] what cells far away have, and calls visit(panel, distances of its nearer end from x and from e)
-  /// for panels that are near, if they have sources.
+  /// Adds the contributions of far cells to sums[s]. Calls visit(panel, distances of its nearer end from x and from e)
+  /// for near panels that have sources.
   template <class Visit>
   void around(const Kernel& kernel, const Range& without, std::vector<double>& sums, const Visit& visit) const;
 

@@ -1,12 +1,12 @@
 #pragma once
-// Stresses in the half-plane z > 0 (x as everywhere, z the depth below the surface) under tractions on z = 0: t normal,
-// negative in compression, t_t the component along +x of what the indenter exerts on the body. The outward normal
-// points to -z, so that on the surface
+// Stresses in the half-plane z > 0 (x along the surface, z the depth) under tractions on z = 0: t is the normal
+// traction, negative in compression; t_t is the component along +x of the traction that the indenter exerts on the
+// body. The outward normal points to -z, so that on the surface
 //
 //   sigma_zz = t,   sigma_xz = -t_t,   sigma_xx = t + 2 H t_t,   H t_t = (1/pi) PV int t_t/(x'-x) dx'.
 //
-// Tension is positive. A force per unit of thickness (N, T) at the origin, N along the outward normal (negative: it
-// presses), T along +x, makes a radial field [Joh85, chapter 2]: with c = x/r, s = z/r,
+// Tension is positive. A force per unit of thickness (N, T) at the origin, N along the outward normal (negative in
+// compression), T along +x, gives a radial field [Joh85, chapter 2]: with c = x/r, s = z/r,
 //
 //   (sigma_xx, sigma_zz, sigma_xz) = 2/(pi r) (N s - T c) (c^2, s^2, c s).
 //
@@ -33,7 +33,7 @@ struct StressComponents {
   R xz;
 };
 
-/// Of a force (normal, tangential) seen from (x, z) relative to where it acts, z > 0.
+/// Returns the stress of a force (normal, tangential) at (x, z), relative to the point of the force, z > 0.
 template <Real R>
 StressComponents<R> stress_of_force(const R& normal, const R& tangential, const R& x, const R& z) {
   const R r = sqrt(x * x + z * z);

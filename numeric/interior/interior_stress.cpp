@@ -6,7 +6,7 @@
 namespace steadyslide::numeric {
 namespace {
 
-/// Fewer panels than this are told one by one.
+/// Fewer panels than this are summed one by one.
 constexpr std::size_t fewest_panels_with_moments = 8;
 
 template <class Depth>
@@ -14,8 +14,9 @@ void check_below_surface(const Depth& z) {
   if (!(z > 0)) throw std::invalid_argument("the depth of a point below the surface is positive");
 }
 
-/// Adds the sums of the normal forces of a panel, with what follows from them. `error`: relative. `straddles`: forces on both
-/// sides of x, none of them further aside than the depth, cancel in the odd sums.
+/// Adds the sums of a panel's normal forces and the tangential sums that follow from them. `error` is relative.
+/// `straddles`: there are forces on both sides of x, at horizontal distances up to the depth, which cancel in the odd
+/// sums.
 template <Real R>
 void add_sums(const std::array<R, 4>& sums, const TractionPanel<R>& panel, const R& error, bool straddles,
               ForceSums<R>& to) {
@@ -30,8 +31,8 @@ void add_sums(const std::array<R, 4>& sums, const TractionPanel<R>& panel, const
   }
 }
 
-/// Adds what it changes that forces are displaced at the distance d: `normal` and `tangential` are sums of their sizes times
-/// by how much. dM_j/dx is at most about 2 (z/d)^(3-j)/d^2.
+/// Adds the error that a displacement of forces at the distance d causes. `normal` and `tangential` are sums of force
+/// times displacement. dM_j/dx is at most about 2 (z/d)^(3-j)/d^2.
 template <Real R>
 void add_displaced(const R& normal, const R& tangential, const R& d, const R& z, ForceSums<R>& to) {
   R part = 2 / (d * d);
@@ -130,7 +131,7 @@ void InteriorStress<R>::gather(std::size_t first, std::size_t end) {
   }
 }
 
-/// Of node i of a panel's rule, in parts of the panel.
+/// Returns the position of node i of a panel's rule, as a fraction of the panel.
 template <Real R>
 const R& InteriorStress<R>::from_left(const TractionPanel<R>& panel, std::size_t i) {
   return panel.singular_end == Side::right ? panel.rule->from_right[i] : panel.rule->from_left[i];
@@ -144,7 +145,7 @@ void InteriorStress<R>::add(std::size_t index, const Point& point, Sums& sums) c
     if (x * x + point.z * point.z >= 9 * cell.half * cell.half) {
       const R* normal = moments_.data() + cell.moments;
       add_far_forces(sums, normal, normal + moment_count<R>(), cell.half, x, point.z);
-      // Nowhere in the cell more than this.
+      // The largest horizontal distance in the cell.
       const R aside = std::max(R(abs(x)), cell.half);
       add_force(sums.normal_error, R(3 * cell.normal_error), aside, point.z);
       add_force(sums.tangential_error, R(3 * cell.tangential_error), aside, point.z);
@@ -187,7 +188,7 @@ void InteriorStress<R>::add_panel(std::size_t k, const Point& point, Sums& sums)
   }
 }
 
-/// `x_left`: x minus the left end of the part; `reach`: from the panel's singular end to the point.
+/// `x_left` is x minus the left end of the part. `reach` is the distance from the panel's singular end to the point.
 template <Real R>
 void InteriorStress<R>::add_part(const TractionPanel<R>& panel, const PanelPart<R>& part, const R& x_left,
                                  const R& x_right, const R& z, const R& reach, Sums& sums) const {
@@ -195,7 +196,7 @@ void InteriorStress<R>::add_part(const TractionPanel<R>& panel, const PanelPart<
   traction_.append_nodes(panel, part, sums.nodes);
   std::array<R, 4> of_part{};
   std::array<R, 4> displaced{};
-  // From the end of the part that is nearer: from x itself if it ends there.
+  // Measure from the nearer end of the part, which is x itself if the part ends there.
   const bool by_left = x_left <= 0;
   for (std::size_t i = 0; i < sums.nodes.forces.size(); ++i) {
     const R &left = sums.nodes.from_left[i], &right = sums.nodes.from_right[i], &force = sums.nodes.forces[i];

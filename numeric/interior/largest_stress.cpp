@@ -12,8 +12,8 @@ struct Place {
   R x;
   R z;
   R value;
-  R scale;          ///< of what lies above; of a maximum, how far away it may be
-  R curvature = 0;  ///< of a maximum: the least one of the stress around it, over the length on which it varies
+  R scale;          ///< length scale of the field; for a maximum, the error of its position
+  R curvature = 0;  ///< for a maximum: the smallest curvature of the stress times its length of variation
 };
 
 template <Real R>
@@ -21,7 +21,7 @@ class Maximum {
  public:
   Maximum(const InteriorStress<R>& stress, const R& least_depth) : stress_(stress), least_(least_depth) {}
 
-  /// All maxima that the highest places found by scanning lead to, the highest one first.
+  /// Returns all maxima that are reached from the highest scanned places, the highest one first.
   std::vector<Place<R>> highest() const {
     std::vector<Place<R>> places = scan();
     std::sort(places.begin(), places.end(), [](const Place<R>& a, const Place<R>& b) { return a.value > b.value; });
@@ -51,7 +51,7 @@ class Maximum {
     std::vector<Place<R>> places;
     const std::vector<TractionPanel<R>>& panels = stress_.traction().panels();
     const R width = panels.back().right - panels.front().left;
-    // Groups of 1, 2, 4, ... panels, and all of them.
+    // Groups of 1, 2, 4, ... panels, and the group of all panels.
     for (std::size_t count = 1;; count *= 2) {
       for (std::size_t k = 0; k < panels.size(); k += count) {
         const std::size_t end = std::min(k + count, panels.size());
@@ -71,7 +71,8 @@ class Maximum {
     return places;
   }
 
-  /// Towards the end x of a panel, where a power near 0 may have its maximum at any scale that x has digits for.
+  /// Adds places towards the end x of a panel. A power near 0 may have its maximum at any scale that the digits of x
+  /// resolve.
   void add_beside(const R& x, const R& length, std::vector<Place<R>>& places) const {
     const R shortest = std::max(least_, R(64 * epsilon<R>() * abs(x)));
     for (R scale = length / 8; scale > shortest; scale /= 4) {
@@ -80,15 +81,16 @@ class Maximum {
     }
   }
 
-  /// Climbs to the nearest maximum, and is never lower than `start`. `scale` is then how far away it may be.
+  /// Returns the maximum nearest to `start`; its stress is never lower than at `start`. `scale` is the error of its
+  /// position.
   Place<R> climbed(const Place<R>& start) const {
     Place<R> at = start;
     R h = std::min(at.scale, max(at.z, R(at.scale / 8))) / 8;
-    // Of smaller differences rounding leaves less than what the cubic terms of this one do.
+    // With smaller differences, rounding would be a larger error than the cubic terms are here.
     const R smallest = pow(epsilon<R>(), R(0.25)) * at.scale;
     const R last = epsilon<R>() * at.scale;
     const R scale = at.scale;
-    // On which the field varies.
+    // The length on which the field varies.
     const R variation = std::min(scale, max(at.z, R(scale / 8)));
     for (int step = 0; step < 400 && h > last; ++step) {
       const Stencil here = stencil(at, h);
@@ -113,10 +115,10 @@ class Maximum {
 
   struct Stencil {
     Place<R> highest;
-    bool is_peak;  ///< a parabola with a maximum within the stencil
+    bool is_peak;  ///< the fitted parabola has its maximum inside the stencil
     R x_step;
     R z_step;
-    R curvature = 0;  ///< the least one, times the square of the stencil's step
+    R curvature = 0;  ///< the smallest curvature, times the square of the stencil's step
   };
 
   R value(const R& x, const R& z) const {
@@ -140,7 +142,7 @@ class Maximum {
     const R xx = f[2][1] - 2 * f[1][1] + f[0][1];
     const R x = (f[2][1] - f[0][1]) / 2;
     if (at_surface) {
-      // The maximum is there if the stress falls into the body.
+      // The maximum is at this depth if the stress decreases with the depth.
       if (!(f[1][2] < f[1][1] && xx < 0)) return result;
       result.x_step = -h * x / xx;
       result.z_step = z - at.z;
@@ -199,12 +201,12 @@ std::optional<LargestStress<R>> largest_stress(const InteriorStress<R>& stress, 
   StressState<R> state;
   stress.at(std::span(&best.x, 1), std::span(&best.z, 1), std::span(&state, 1));
   const Estimate<R> von_mises = *state.von_mises();
-  // The error of the stress varies as fast as the stress itself: its slope moves the maximum.
+  // The error of the stress varies on the same length as the stress, so its slope moves the maximum.
   const R moved = best.curvature > 0 ? R(von_mises.error / best.curvature) : R(0);
   Estimate<R> x{best.x, best.scale + moved + epsilon<R>() * abs(best.x)};
   Estimate<R> z{best.z, best.z == least ? R(0) : x.error};
   if (best.z == least) z.value = depth;
-  // Another maximum may be the largest one, unless both are equal: then the place is that of one of them.
+  // Another maximum may be the largest one. If both are equal, the place is one of them.
   for (const Place<R>& other : maxima) {
     const R less = best.value - other.value;
     if (less <= 256 * epsilon<R>() * best.value || less > 2 * von_mises.error) continue;

@@ -1,14 +1,14 @@
 #pragma once
-// The stress and the displacement's gradient at a point of the body: x along the surface, z the depth, tension positive, u_x
-// and u_z along +x and +z, in the user's units:
+// The stress and the displacement gradient at a point of the body: x along the surface, z the depth, tension positive,
+// u_x and u_z along +x and +z, in the user's units:
 //
 //   sigma_yy = nu (sigma_xx + sigma_zz) in plane strain, 0 in plane stress,
 //   mean = (sigma_xx + sigma_yy + sigma_zz)/3,
 //   von Mises = sqrt(((xx - yy)^2 + (yy - zz)^2 + (zz - xx)^2)/2 + 3 xz^2),
 //   largest shear = sqrt(((xx - zz)/2)^2 + xz^2), half the difference of the principal stresses in the plane.
 //
-// The out-of-plane stress needs Poisson's ratio: with reduced data it is absent, and with it the invariants that contain
-// it, and the gradient.
+// The out-of-plane stress needs Poisson's ratio. For reduced data it is absent; then the invariants that contain it and
+// the gradient are also absent.
 
 #include <cmath>
 #include <optional>
@@ -17,12 +17,12 @@
 
 namespace steadyslide::numeric {
 
-/// d u_x/dx and so on, without unit.
+/// The displacement gradient: d u_x/dx etc., without unit.
 template <Real R>
 struct DisplacementGradient {
   Estimate<R> x_x;  ///< d u_x/dx
   Estimate<R> x_z;  ///< d u_x/dz
-  Estimate<R> z_x;  ///< d u_z/dx; on the surface the slope u' of contact problems is less this
+  Estimate<R> z_x;  ///< d u_z/dx; on the surface it is -u' of contact problems
   Estimate<R> z_z;  ///< d u_z/dz
 };
 
@@ -45,7 +45,7 @@ struct StressState {
     const R b = yy->value - zz.value;
     const R c = zz.value - xx.value;
     const R value = sqrt((a * a + b * b + c * c) / 2 + 3 * xz.value * xz.value);
-    // No derivative is larger than 1, or sqrt 3 for the shear.
+    // All derivatives are at most 1; for the shear sqrt 3.
     const R error = xx.error + yy->error + zz.error + sqrt(R(3)) * xz.error + 8 * epsilon<R>() * value;
     return Estimate<R>{value, error, xx.convergence};
   }

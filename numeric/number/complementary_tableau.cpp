@@ -10,9 +10,10 @@ namespace {
 
 using Eigen::Index;
 
-/// Entries this small, relative to the largest of a column, may be rounding errors: no pivots.
+/// Smaller entries, relative to the largest of a column, may be rounding errors and are not used as pivots.
 constexpr double negligible = 1e-11;
-/// Drift, relative to the constants, from which the tableau is made anew; looked at after so many pivots.
+/// The drift, relative to the constants, above which the tableau is computed anew, and the number of pivots between
+/// checks.
 constexpr double allowed_drift = 1e-12;
 constexpr int between_looks = 32;
 
@@ -44,7 +45,7 @@ void ComplementaryTableau::exchange(Index left, Index right) {
   const Index e = column_of(right);
   Eigen::VectorXd column = matrix_.col(e);
   const double pivot = column(r);
-  // A column of the exchanged variable's own: -1 becomes 1/pivot.
+  // The column of the exchanged variable: -1 becomes 1/pivot.
   matrix_.col(e).setZero();
   matrix_(r, e) = -1;
   const Eigen::RowVectorXd row = -matrix_.row(r) / pivot;
@@ -73,8 +74,8 @@ double ComplementaryTableau::drift() const {
 }
 
 void ComplementaryTableau::factorise() {
-  // (variables on the left) - matrix (variables on the right) = constants, as it was given: the columns of those that
-  // are on the left now, and of the others.
+  // The original equations, (variables on the left) - matrix (variables on the right) = constants: the columns of the
+  // variables that are now on the left, and of the others.
   const auto rows = static_cast<Index>(left_.size());
   const auto columns = static_cast<Index>(right_.size());
   std::vector<Index> first(place_.size());

@@ -1,11 +1,11 @@
 #pragma once
-// Complementary pivots: the path of the points with  x_k >= 0, y_k >= 0, x_k y_k = 0  for all k but for one free
-// parameter, of variables that are tied by linear equations.
+// Complementary pivots for variables that satisfy linear equations: the path of points with x_k >= 0, y_k >= 0, x_k
+// y_k = 0 for all k, where one parameter is free.
 //
 // The equations have the form of a dictionary, (variables on the left) = constants + matrix (variables on the right).
-// A path moves along one right variable at a time until a left one becomes zero; the two change places, and the partner
-// of the one that left goes on. With one constant for each row in general position no two become zero at once, every
-// point of the path has two ways out, and the path never comes back to where it was. [CPS92, section 4.4]
+// A path changes one right variable until a left one becomes zero. The two variables are exchanged, and then the
+// partner of the one that became zero changes. With constants in general position no two variables become zero at once.
+// So the path has two directions at every point and never returns to an earlier point. [CPS92, section 4.4]
 
 #include <Eigen/Core>
 #include <vector>
@@ -15,27 +15,28 @@ namespace steadyslide::numeric {
 class ComplementaryTableau {
  public:
   using Index = Eigen::Index;
-  /// Variables have the numbers 0..pairs-1 (x), pairs..2*pairs-1 (y), and from 2*pairs on the free ones: those may have
-  /// any sign and never leave the left side on a path; one that has been exchanged to the right stays zero.
+  /// Variables have the numbers 0..pairs-1 (x), pairs..2*pairs-1 (y), and from 2*pairs on (free variables). A free
+  /// variable may have any sign and never leaves the left side on a path; one that was exchanged to the right stays
+  /// zero.
   ComplementaryTableau(Index pairs, std::vector<Index> left, std::vector<Index> right, Eigen::MatrixXd matrix,
                        Eigen::VectorXd constants);
 
-  /// Exchanges a left and a right variable, whatever their values.
+  /// Exchanges a left and a right variable, for any values.
   void exchange(Index left, Index right);
 
   enum class End {
     reached,  ///< the measured variable has its target value
-    ray,      ///< nothing becomes zero any more
-    stopped   ///< as many pivots as allowed, or rounding left no pivot
+    ray,      ///< no variable becomes zero any more
+    stopped   ///< the limit of pivots is reached, or rounding leaves no pivot
   };
-  /// From the present point, at which the two partners of `entering`'s pair stand on the right. `measured` is a free
-  /// variable on the left. With `reached`, `entering` moves to where the target is met.
+  /// Follows the path from the current point, at which both variables of `entering`'s pair are on the right. `measured`
+  /// is a free variable on the left. If the result is `reached`, `entering` has the value at which the target is met.
   End follow(Index entering, Index measured, double target, int most_pivots);
 
   int pivots() const { return pivots_; }
-  /// Is the variable on the left, or the one that was moving when the path ended?
+  /// True if the variable is on the left, or if it was changing when the path ended.
   bool is_positive(Index variable) const { return row_of(variable) >= 0 || variable == moving_; }
-  /// The left variables' values, where the right ones are zero, by row; the variables by row.
+  /// The values of the left variables by row, where the right ones are zero; the variables by row.
   const Eigen::VectorXd& constants() const { return constants_; }
   const std::vector<Index>& left() const { return left_; }
 
@@ -45,7 +46,7 @@ class ComplementaryTableau {
   Index partner(Index variable) const { return variable < pairs_ ? variable + pairs_ : variable - pairs_; }
   void place(std::vector<Index>& side, Index at, Index variable);
   Index first_to_vanish(const Eigen::VectorXd& column, double& way) const;
-  /// The largest error of the equations, of the present point.
+  /// Returns the largest error of the equations at the current point.
   double drift() const;
   void factorise();
 
@@ -54,7 +55,7 @@ class ComplementaryTableau {
   std::vector<Index> right_;
   Eigen::MatrixXd matrix_;
   Eigen::VectorXd constants_;
-  // The dictionary as it was given: rounding errors grow with every pivot, and from it all can be had again.
+  // The original dictionary. Rounding errors grow with every pivot; from this the current one can be computed anew.
   std::vector<Index> first_left_;
   std::vector<Index> first_right_;
   Eigen::MatrixXd first_matrix_;

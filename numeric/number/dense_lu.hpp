@@ -1,5 +1,5 @@
 #pragma once
-// A square matrix of doubles, factorised once with row pivots: the one place that compiles Eigen's LU.
+// A square matrix of doubles, factorised once with row pivots. Only this file compiles Eigen's LU.
 
 #include <Eigen/Core>
 #include <memory>
@@ -10,7 +10,7 @@ class DenseLu {
  public:
   explicit DenseLu(const Eigen::MatrixXd& matrix);
 
-  /// Not finite where the matrix is singular.
+  /// Returns the solution; not finite if the matrix is singular.
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
   Eigen::MatrixXd inverse() const;

@@ -10,7 +10,7 @@ namespace {
 constexpr slong guard_bits = 16;
 constexpr slong bits_beyond_rounding = 8;
 
-/// A ball that cleans up.
+/// A ball that frees its memory.
 class Scratch {
  public:
   explicit Scratch(mpfr_srcptr x) {
@@ -21,9 +21,9 @@ class Scratch {
   Scratch& operator=(const Scratch&) = delete;
   ~Scratch() { arb_clear(ball_); }
 
-  operator arb_ptr() { return ball_; }  // NOLINT(google-explicit-constructor): it is one
+  operator arb_ptr() { return ball_; }  // NOLINT(google-explicit-constructor): the class is a ball
 
-  /// The midpoint, if the ball decides all bits of `result`.
+  /// Sets `result` to the midpoint and returns true, if the ball determines all bits of `result`.
   bool rounded_to(mpfr_ptr result) const {
     if (!arb_is_finite(ball_) || arb_rel_accuracy_bits(ball_) < mpfr_get_prec(result) + bits_beyond_rounding) {
       return false;
@@ -36,7 +36,7 @@ class Scratch {
   arb_t ball_;
 };
 
-/// MPFR's exponents end at 2^30: what comes near is left to it.
+/// MPFR's exponents end at 2^30. MPFR computes all numbers close to this limit.
 constexpr mpfr_exp_t largest_exponent = 29;
 
 slong bits_of(mpfr_exp_t exponent) {
@@ -66,13 +66,13 @@ void exp(mpfr_ptr result, mpfr_srcptr x) {
 }
 
 void pow(mpfr_ptr result, mpfr_srcptr base, mpfr_srcptr exponent) {
-  // Whole powers, which may be exact, are MPFR's.
+  // MPFR computes integer powers, which may be exact.
   const bool whole = mpfr_integer_p(exponent) != 0;
   const bool plain = !whole && mpfr_regular_p(base) != 0 && mpfr_sgn(base) > 0 && mpfr_regular_p(exponent) != 0;
-  // The bits before the point of y log x.
+  // The number of bits before the point in y log x.
   const slong before_point = plain ? std::max<slong>(0, mpfr_get_exp(exponent) + bits_of(mpfr_get_exp(base))) : 0;
   if (plain && before_point <= largest_exponent) {
-    // They are lost to e^(y log x).
+    // e^(y log x) loses these bits.
     const slong bits = mpfr_get_prec(result) + guard_bits + before_point;
     Scratch ball(base);
     Scratch y(exponent);
@@ -81,7 +81,7 @@ void pow(mpfr_ptr result, mpfr_srcptr base, mpfr_srcptr exponent) {
     arb_exp(ball, ball, bits);
     if (ball.rounded_to(result)) return;
   }
-  // An odd power of 0 has its sign.
+  // An odd power of 0 has the sign of the zero.
   if (mpfr_zero_p(base) != 0 && whole && mpfr_sgn(exponent) > 0 && mpfr_fits_ulong_p(exponent, MPFR_RNDN) != 0 &&
       mpfr_get_ui(exponent, MPFR_RNDN) % 2 == 1) {
     mpfr_set(result, base, MPFR_RNDN);
@@ -93,7 +93,7 @@ void pow(mpfr_ptr result, mpfr_srcptr base, mpfr_srcptr exponent) {
 struct PowerProduct::Balls {
   slong bits;
   arb_t sum, logarithm, exponent, power;
-  mpfr_t beyond;  // the powers of what is no plain number
+  mpfr_t beyond;  // the powers of numbers that are not regular
   bool has_beyond = false;
 
   explicit Balls(mpfr_prec_t of) : bits(of) {
@@ -128,7 +128,7 @@ void PowerProduct::multiply(mpfr_srcptr base, mpfr_srcptr exponent) {
     mpfr_clear(one);
     return;
   }
-  // Only the midpoint is used again and again: a radius that is left there would be taken for the number's.
+  // Only the midpoint is set here. The radius must be 0, because it would count as an error of the number.
   arf_set_mpfr(arb_midref(b.logarithm), base);
   mag_zero(arb_radref(b.logarithm));
   arb_log(b.logarithm, b.logarithm, b.bits);

@@ -4,12 +4,13 @@
 //
 //   |result - f(x)| <= (1/2 + 2^-7) ulp,
 //
-// since a ball is taken only if its radius is under 2^-7 of the last bit; MPFR's own function does the rest, and all
-// that is no plain number (0, infinity, a negative logarithm, a huge exponent). Four to six times as fast as MPFR's
-// (bench/README.md). Products, quotients and sums stay with MPFR: Arb would have to convert them forth and back.
+// because a ball is used only if its radius is below 2^-7 of the last bit. MPFR's own function computes the other
+// cases, and all special cases (0, infinity, a negative logarithm, a huge exponent). This is four to six times as fast
+// as MPFR (bench/README.md). MPFR computes products, quotients and sums, because Arb would have to convert the numbers.
 //
-// Boost's log(), exp() and pow() of these numbers come here: they call eval_log, eval_exp and eval_pow of the backend,
-// and the overloads below are more special than Boost's. eval_beta() is MPFR's own. No state, thus safe between threads.
+// Boost's log(), exp() and pow() of these numbers use these functions: they call eval_log, eval_exp and eval_pow of the
+// backend, and the overloads below are more specialised than Boost's. eval_beta() uses MPFR. There is no state, so all
+// functions are thread-safe.
 
 #include <boost/multiprecision/mpfr.hpp>
 #include <memory>
@@ -21,8 +22,9 @@ void log(mpfr_ptr result, mpfr_srcptr x);
 void exp(mpfr_ptr result, mpfr_srcptr x);
 void pow(mpfr_ptr result, mpfr_srcptr base, mpfr_srcptr exponent);
 
-/// prod x_j^{p_j} as e^(sum_j p_j log x_j): a logarithm a factor and one exponential, in one ball from end to end. Each step
-/// is cut off, an error of 2^(1 - bits) of its result: of n factors the product's is below, relative,
+/// Computes prod x_j^{p_j} as e^(sum_j p_j log x_j), with one logarithm for each factor and one exponential, in one
+/// ball. Each step truncates, with an error of 2^(1 - bits) of its result. For n factors the relative error of the
+/// product is below
 ///
 ///   (2 n + 4) 2^-bits (1 + sum_j |p_j log x_j|).
 class PowerProduct {

@@ -1,10 +1,10 @@
 #pragma once
-// A value travels with its error: through sums, differences, products and quotients the errors add up to first order,
+// A value with its error. In sums, differences, products and quotients the errors add to first order,
 //
 //   error(a +- b) = error(a) + error(b),
 //   error(a b) = |b| error(a) + |a| error(b),   error(a/b) = (error(a) + |a/b| error(b))/|b|,
 //
-// and what has stalled once stays so. The rounding of one operation is left out: estimates start well above it.
+// and `stalled` is kept. The rounding of a single operation is not included, because estimates are much larger.
 
 #include <cmath>
 
@@ -14,8 +14,8 @@ namespace steadyslide::numeric {
 
 enum class Convergence { reached, stalled };
 
-/// The value, an estimate (not a bound) of its absolute error, and whether the method reached its tolerance. A plain
-/// number beside an estimate is exact.
+/// The value, an estimate (not a bound) of its absolute error, and the convergence of the method. In an operation with
+/// an estimate, a plain number is exact.
 template <Real R>
 struct Estimate {
   R value = 0;
@@ -50,7 +50,7 @@ struct Estimate {
     return {quotient, a.error / size + b.error / size * abs(quotient), worse(a, b)};
   }
 
-  /// The same value with `relative` of its size more as its error.
+  /// Returns the same value with its error increased by `relative` times its size.
   Estimate widened(const R& relative) const { return {value, error + relative * abs(value), convergence}; }
 
  private:

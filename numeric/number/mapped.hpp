@@ -1,12 +1,12 @@
 #pragma once
-// A vector made of the elements of a range, one by one.
+// Makes a vector from the elements of a range.
 
 #include <type_traits>
 #include <vector>
 
 namespace steadyslide::numeric {
 
-/// f of every element of a range, in its order.
+/// Returns f of every element of a range, in order.
 template <class Range, class F>
 auto mapped(const Range& range, const F& f) {
   std::vector<std::decay_t<decltype(f(*range.begin()))>> result;

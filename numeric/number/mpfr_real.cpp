@@ -5,7 +5,7 @@
 namespace steadyslide::numeric {
 namespace {
 
-/// A correctly rounded double: Boost's conversion of a rational truncates.
+/// Returns the correctly rounded double. Boost's conversion of a rational truncates.
 double nearest_double(const Rational& value) {
   mpfr_t rounded;
   mpfr_init2(rounded, 53);

@@ -1,6 +1,6 @@
 #pragma once
-// Points that know their distances. Powers at the end of a panel are formed from the distance to that end: 1 - x has
-// lost its digits where they matter most.
+// Points with their distances from the ends of a panel. Powers at an end are computed from the distance to that end,
+// because 1 - x loses digits close to the end.
 
 #include <algorithm>
 #include <utility>
@@ -19,7 +19,7 @@ struct Node {
   Node moved(const R& d) const { return {x + d, from_left + d, from_right - d}; }
 };
 
-/// An interval between two neighbouring singular points. `length` is known better than right - left.
+/// An interval between two neighbouring singular points. `length` is more accurate than right - left.
 template <Real R>
 struct Panel {
   R left;
@@ -33,8 +33,8 @@ struct Panel {
   }
 };
 
-/// A position in ]0, 1[, number i of n (Chebyshev's points), and what is missing to 1, formed without cancellation: a
-/// place for a sample, denser towards both ends, where tractions are singular.
+/// Returns a position in ]0, 1[, number i of n (Chebyshev's points), and 1 minus the position without cancellation.
+/// These places for samples are denser towards both ends, where tractions are singular.
 template <Real R>
 std::pair<R, R> chebyshev_position(int i, int n) {
   const R angle = pi<R>() * (2 * i + 1) / (4 * n);

@@ -1,5 +1,5 @@
 #pragma once
-// A value that is made when first asked for, once, whichever thread asks.
+// A value that is computed once, at first use. Safe between threads.
 
 #include <memory>
 #include <mutex>
@@ -11,7 +11,7 @@ class Once {
  public:
   template <class Make>
   const T& operator()(const Make& make) const {
-    std::call_once(flag_, [&] { value_.reset(new T(make())); });  // not make_unique: T need not be movable
+    std::call_once(flag_, [&] { value_.reset(new T(make())); });  // not make_unique, because T may not be movable
     return *value_;
   }
 

@@ -10,13 +10,13 @@
 
 namespace steadyslide::numeric {
 
-/// The coefficients of 1, x, x^2, ..., each rounded once.
+/// Returns the coefficients of 1, x, x^2, ..., each rounded once.
 template <Real R>
 std::vector<R> coefficients_of(const Polynomial& p) {
   return mapped(p.coefficients(), [](const Rational& c) { return to_real<R>(c); });
 }
 
-/// The value at x; 0 without coefficients.
+/// Returns the value at x; 0 if there are no coefficients.
 template <Real R>
 R value_of(const std::vector<R>& coefficients, const R& x) {
   R value = 0;
@@ -24,8 +24,8 @@ R value_of(const std::vector<R>& coefficients, const R& x) {
   return value;
 }
 
-/// What rounding may make of the value at x, in units of epsilon: of x and of each coefficient once, and of Horner's rule.
-/// What cancels in the value does not cancel there.
+/// Returns an estimate of the rounding error of the value at x, in units of epsilon: of x and of each coefficient once,
+/// and of Horner's rule. It adds absolute values, so terms that cancel in the value do not cancel here.
 template <Real R>
 double rounding_size(const std::vector<R>& coefficients, const R& x) {
   double size = 0;
@@ -46,8 +46,8 @@ R value_of(const Polynomial& p, const R& x) {
   return value_of(coefficients_of<R>(p), x);
 }
 
-/// The places in ]a, b[ where the polynomial with these coefficients changes its
-/// sign, left to right: between neighbouring zeros of its derivative it does so once at most.
+/// Returns, from left to right, the places in ]a, b[ where the polynomial with these coefficients changes its sign.
+/// Between neighbouring zeros of its derivative there is at most one.
 inline std::vector<double> sign_changes(const std::vector<double>& coefficients, double a, double b) {
   if (coefficients.size() < 2) return {};
   const auto value = [&](double x) { return value_of(coefficients, x); };

@@ -1,12 +1,12 @@
 #pragma once
-// The power of a distance, ready for evaluation.
+// The power of a distance, prepared for evaluation.
 
 #include "numeric/number/real.hpp"
 
 namespace steadyslide::numeric {
 
-/// lambda together with 1 + lambda, each to full relative precision: at an edge with large friction lambda is -1 but
-/// for a small number on which the load there depends, and which 1 + lambda formed in R would have lost.
+/// lambda and 1 + lambda, each to full relative precision. At an edge with large friction lambda is close to -1, and
+/// the load depends on the small number 1 + lambda. Computed in R as a sum, 1 + lambda would lose its digits.
 template <Real R>
 struct Power {
   R value = 0;

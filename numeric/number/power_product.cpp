@@ -11,7 +11,7 @@ namespace {
 static_assert(std::numeric_limits<long double>::digits >= 64, "the tables' logarithms need more digits than a double");
 static_assert(sizeof(PowerFactor) == 4 * sizeof(double));
 
-/// Two doubles at a time, as every x86-64 has them, in plain code.
+/// Two doubles at a time in portable code; every x86-64 processor has such vectors.
 struct BaselineLanes {
   static constexpr std::size_t count = 2;
   typedef double Real __attribute__((vector_size(16)));
@@ -28,14 +28,14 @@ struct BaselineLanes {
     const Real inverse{table.rows[i].inverse, table.rows[j].inverse};
     const Real high{table.rows[i].high, table.rows[j].high};
     const Real low{table.low[i], table.low[j]};
-    // m - a: what m has beyond its 256th of [1, 2[, less half of a 256th.
+    // m - a, where a is the middle of m's 256th of [1, 2[.
     const Real rest = (Real)((bits & (Bits{} + 0x00000fffffffffff)) | (Bits{} + 0x3ff0000000000000));
     const Real difference = rest - (Real{} + (1 + 0x1p-9));
     return {difference * inverse, exponent_and_part<BaselineLanes>(bits) + high, low};
   }
 };
 
-/// The middles of 256ths; H is told less the 256ths that exponent_and_part() has counted.
+/// The table for the middles of the 256ths. H is stored without the 256ths that exponent_and_part() already counts.
 LogarithmTable table_of_middles() {
   LogarithmTable table;
   for (int i = 0; i < 256; ++i) {
@@ -48,7 +48,8 @@ LogarithmTable table_of_middles() {
   return table;
 }
 
-/// Of the 128 multiples H of 2^-16 around each middle's logarithm, the one whose 2^-H is nearest to a double.
+/// The table with, of the 128 multiples H of 2^-16 around the logarithm of each middle, the one whose 2^-H is nearest
+/// to a double.
 LogarithmTable table_of_fortunate_inverses() {
   constexpr int reach = 64;
   long double step[2 * reach];

@@ -1,4 +1,4 @@
-// Compiled for AVX2 and FMA (numeric/CMakeLists.txt), and called where the processor has them.
+// Compiled for AVX2 and FMA (numeric/CMakeLists.txt), and called if the processor has them.
 
 #include "numeric/number/power_product_kernel.hpp"
 
@@ -19,7 +19,7 @@ struct Avx2Lanes {
   static Real multiply_add(Real a, Real b, Real c) { return _mm256_fmadd_pd(a, b, c); }
 
   static Reduced reduced(Bits bits, const LogarithmTable& table) {
-    // Rows of 16 bytes, two at a time and then sorted by columns: cheaper than gathering.
+    // Load rows of 16 bytes, two at a time, and then sort by columns. This is faster than a gather.
     const Bits offset = (bits >> 40) & (Bits{} + 0xff0);
     std::uint64_t at[4];
     __builtin_memcpy(at, &offset, sizeof at);

@@ -1,8 +1,8 @@
-// Compiled for AVX-512 (numeric/CMakeLists.txt), and called where the processor has it.
+// Compiled for AVX-512 (numeric/CMakeLists.txt), and called if the processor has it.
 
 #include "numeric/number/power_product_kernel.hpp"
 
-// g++ 12 takes the intrinsics' undefined vectors for a mistake (GCC bug 105593).
+// g++ 12 warns of the intrinsics' undefined vectors (GCC bug 105593).
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif

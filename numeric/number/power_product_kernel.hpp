@@ -1,19 +1,19 @@
 #pragma once
-// The products of power_product.hpp on the lanes of one instruction set. `Lanes` says what it has:
+// The products of power_product.hpp on the vector lanes of one instruction set. `Lanes` provides:
 //
-//   count, Real, Bits        vectors of as many doubles, and of their bits
+//   count, Real, Bits        number of lanes, vectors of doubles, and of their bits
 //   multiply_add(a, b, c)    a b + c, fused or not
 //   reduced(bits, table)     {r, H, L} of numbers with these bits
 //
-// Files compiled for an instruction set include nothing of the standard library that has code: a linker may take the copy of
-// an inline function from any of them, for every processor.
+// Files compiled for an instruction set must not include inline functions of the standard library: the linker may keep
+// the copy of an inline function from any of these files, and then all processors would use it.
 
 #include <cstddef>
 #include <cstdint>
 
 namespace steadyslide::numeric {
 
-/// a for the 256 parts of [1, 2[: log2 a = high + low.
+/// The numbers a for the 256 parts of [1, 2[, with log2 a = high + low.
 struct LogarithmTable {
   struct Row {
     double inverse;
@@ -23,7 +23,7 @@ struct LogarithmTable {
   double low[256];
 };
 
-/// So far without a vector: what is called through a pointer.
+/// The arguments of a call through a function pointer. They contain no vectors.
 struct PowerProducts {
   const double* of_left;  ///< offset, power, high, low of each factor
   std::size_t left_factors;
@@ -45,7 +45,7 @@ class PowerProductKernel {
   PowerProductKernel(const PowerProducts& task, const LogarithmTable& table) : task_(task), table_(table) {}
 
   void run() const {
-    // Two vectors at a time share what belongs to a factor.
+    // Process two vectors together, which share the data of a factor.
     std::size_t i = 0;
     for (; i + 2 * lanes <= task_.points; i += 2 * lanes) block<2>(task_.left + i, task_.right + i, task_.values + i);
     for (; i < task_.points; i += lanes) {
@@ -114,14 +114,14 @@ class PowerProductKernel {
   }
 
   static void carry(Sum& sum) {
-    const Real shift = all(0x1.8p20);  // next to it numbers are multiples of 2^-32
+    const Real shift = all(0x1.8p20);  // numbers near it are multiples of 2^-32
     const Real carried = (sum.low + shift) - shift;
     sum.high += carried;
     sum.low -= carried;
   }
 
   static Real power_of_two(const Sum& sum) {
-    const Real shift = all(0x1.8p52);  // next to it numbers are integers
+    const Real shift = all(0x1.8p52);  // numbers near it are integers
     Real exponent = sum.high + sum.low;
     exponent = exponent < all(-2200) ? all(-2200) : exponent;
     exponent = exponent > all(2200) ? all(2200) : exponent;
@@ -134,7 +134,7 @@ class PowerProductKernel {
     for (int k = 1; k <= degree; ++k) c[k] = c[k - 1] * l / k;
     Real value = all(c[degree]);
     for (int k = degree; k-- > 0;) value = multiply_add(value, f, all(c[k]));
-    // In two steps: 2^whole alone may leave the range where the product does not.
+    // Multiply in two steps: 2^whole alone may be out of range although the product is not.
     const Real half = (whole * all(0.5) + shift) - shift;
     const Real biased = shift + all(1023);
     const Real scale = (Real)((Bits)(half + biased) << 52);
@@ -146,7 +146,7 @@ class PowerProductKernel {
   const LogarithmTable& table_;
 };
 
-/// The bits of m in [1, 2[, and k + the part of [1, 2[ in 256ths.
+/// Returns the bits of m in [1, 2[, and k + the part of [1, 2[ in 256ths.
 template <class Lanes>
 typename Lanes::Real exponent_and_part(typename Lanes::Bits bits) {
   using Real = typename Lanes::Real;
@@ -155,7 +155,7 @@ typename Lanes::Real exponent_and_part(typename Lanes::Bits bits) {
   return (Real)top - (Real{} + (0x1p44 + 1023));
 }
 
-/// Each compiled for its instruction set; absent where the compiler does not aim at x86-64.
+/// Each is compiled for its instruction set; absent if the target of the compiler is not x86-64.
 void power_products_avx2(const PowerProducts& task, const LogarithmTable& table);
 void power_products_avx512(const PowerProducts& task, const LogarithmTable& table);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The closed set of numbers that the numeric kernels are compiled for, and the one door from run time to type.
+// The number types for which the numeric kernels are compiled, and the only function that selects a type at run time.
 
 #include <algorithm>
 #include <cmath>
@@ -15,14 +15,15 @@
 
 namespace steadyslide::numeric {
 
-// Those of double. The MPFR numbers have theirs beside them, where an unqualified call finds them.
+// The functions for double. Those for MPFR numbers are in the namespace of these numbers, where an unqualified call
+// finds them.
 using std::abs, std::asinh, std::atan, std::atan2, std::ceil, std::cos, std::cosh, std::exp, std::expm1, std::floor,
     std::isfinite, std::isinf, std::isnan, std::ldexp, std::log, std::log1p, std::max, std::min, std::pow, std::sin,
     std::sinh, std::sqrt, std::tan;
 
 #ifdef STEADYSLIDE_DOUBLE_ONLY
 
-// A build for where there is no MPFR (explorer/CMakeLists.txt): names of numbers that it does not have.
+// A build without MPFR (explorer/CMakeLists.txt) only declares the names of these types.
 class Real50;
 class Real100;
 
@@ -31,8 +32,8 @@ class Real100;
 
 #else
 
-// Statically sized MPFR numbers: no global default precision exists that could leak. 57 and 114 decimal digits fill
-// three and six limbs: the digits beyond 50 and 100 are guard digits that cost nothing. Chosen by measurement against
+// MPFR numbers of fixed size, so that there is no global default precision. 57 and 114 decimal digits fill three and
+// six limbs; the digits beyond 50 and 100 are guard digits without extra cost. They were chosen by measurement against
 // cpp_bin_float of the same size (bench/README.md).
 using Real50 =
     boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<57, boost::multiprecision::allocate_stack>,
@@ -41,15 +42,15 @@ using Real100 =
     boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<114, boost::multiprecision::allocate_stack>,
                                   boost::multiprecision::et_off>;
 
-/// Boost 1.74 makes the limits of an MPFR number when they are first asked for, without a lock (before main(), but for
-/// the number with the other kind of expressions): here all are made before a second thread can ask.
+/// Computes all limits of MPFR numbers before a second thread can use them. Boost 1.74 computes them at first use
+/// without a lock (before main(), except for the number type with the other kind of expressions).
 bool make_limits();
 inline const bool limits_are_made = make_limits();
 
-/// X(R) for each number R: what is compiled, where templates are defined.
+/// Expands to X(R) for each number type R. Used where templates are defined, to compile them.
 #define STEADYSLIDE_FOR_EACH_REAL(X) X(double) X(Real50) X(Real100)
 
-/// Compiles the class template Name for each of them.
+/// Compiles the class template Name for each number type.
 #define STEADYSLIDE_INSTANTIATE_CLASS(Name) \
   template class Name<double>;              \
   template class Name<Real50>;              \
@@ -60,17 +61,17 @@ inline const bool limits_are_made = make_limits();
 template <class R>
 concept Real = std::same_as<R, double> || std::same_as<R, Real50> || std::same_as<R, Real100>;
 
-/// The digits that results at a precision are served with.
+/// The number of digits of the results at a precision.
 enum class Digits { sixteen = 16, fifty = 50, hundred = 100 };
 
-/// The smallest precision that serves `digits` significant digits. Throws std::out_of_range unless 1 <= digits <= 100.
+/// Returns the smallest precision for `digits` significant digits. Throws std::out_of_range unless 1 <= digits <= 100.
 inline Digits precision_for(int digits) {
   if (digits < 1 || digits > 100) throw std::out_of_range("digits");
   return digits <= 16 ? Digits::sixteen : digits <= 50 ? Digits::fifty : Digits::hundred;
 }
 
 #ifndef STEADYSLIDE_DOUBLE_ONLY
-/// Calls f.operator()<R>() with the type that serves `digits`.
+/// Calls f.operator()<R>() with the number type for `digits`.
 template <class F>
 decltype(auto) at_precision(Digits digits, F&& f) {
   switch (digits) {
@@ -89,7 +90,7 @@ inline constexpr int digits_served = std::same_as<R, double>   ? 16
 template <Real R>
 inline constexpr Digits digits_of = static_cast<Digits>(digits_served<R>);
 
-/// The distance from 1 to the next number.
+/// Returns the distance from 1 to the next number.
 template <Real R>
 R epsilon() {
   return std::numeric_limits<R>::epsilon();
@@ -103,15 +104,16 @@ R infinity() {
 template <Real R>
 R pi();
 
-/// The nearest number of the type. Values beyond the range of double become infinite or zero.
+/// Returns the nearest number of the type. Values out of the range of double become infinite or zero.
 template <Real R>
 R to_real(const Rational& value);
 
-/// The exponent to full relative precision, also next to 0, from its reduced form: nothing cancels.
+/// Returns the exponent to full relative precision, also close to 0. It uses the reduced form, in which nothing
+/// cancels.
 template <Real R>
 R to_real(const Exponent& exponent);
 
-/// cos(pi alpha) = 1/sqrt(1 + s^2), the angle alpha of s. [Bal16, (4)]
+/// Returns cos(pi alpha) = 1/sqrt(1 + s^2) for the angle alpha of s. [Bal16, (4)]
 template <Real R>
 R cos_pi_alpha(const Rational& s);
 

@@ -10,9 +10,10 @@
 namespace steadyslide::numeric::double_exponential {
 namespace {
 
-/// Beyond the accuracy, as an exponent, for what is small next to a panel's end.
+/// Added to the accuracy exponent, for small quantities next to a panel's end.
 constexpr double margin = 28;
-/// Nearer to an end the traction's limit decides: a rounding error times a power of the distance says nothing.
+/// Samples nearer to an end, as a fraction of the panel, do not count for the largest t: a rounding error times a power
+/// of the distance has no meaning there. The limit of the traction decides there.
 constexpr double outermost_seen = 1e-6;
 constexpr double narrowest_strip = 0.2;
 constexpr double least_power = 1e-3;  // 1 + lambda
@@ -20,7 +21,8 @@ constexpr double least_power = 1e-3;  // 1 + lambda
 /// h.
 double step(int per_octave) { return std::numbers::ln2 / per_octave; }
 
-/// 2^shift x without its fraction. Sums of products of such numbers cost a third of what they do with floating points.
+/// Returns the integer part of 2^shift x. Sums of products of integers cost a third of the same sums of floating-point
+/// numbers.
 template <Real R>
 Integer shifted(const R& x, int shift) {
   Integer result;
@@ -37,8 +39,9 @@ R shifted_back(const Integer& sum, int shift) {
   return ldexp(R(sum), -shift);
 }
 
-/// e^-(2 p u) at tau = 0, h, 2h, ..., `rise` being (pi/2) e^tau over one octave. e^(-p rise) is squared from one octave to
-/// the next, e^(p (pi/2) e^-tau) the root of what it was: an exponential a node of one octave is all.
+/// Computes e^-(2 p u) at tau = 0, h, 2h, ...; `rise` is (pi/2) e^tau over one octave. From one octave to the next,
+/// e^(-p rise) is squared, and e^(p (pi/2) e^-tau) becomes its square root. So only the nodes of one octave need an
+/// exponential.
 template <Real R>
 std::vector<R> decays(const R& p, const std::vector<R>& rise, std::size_t count) {
   const std::size_t octave = rise.size();
@@ -63,9 +66,9 @@ struct UnitNode {
   R rate;             ///< pi cosh tau
   R both;             ///< near far
   R mirror;           ///< near far rate^2
-  double rough_near;  ///< for what double is enough for
+  double rough_near;  ///< for uses in which double is sufficient
 
-  /// From (pi/2) e^tau and e^-2u.
+  /// Returns the node from (pi/2) e^tau and e^-2u.
   static UnitNode of(const R& rise, const R& decay) {
     const R far = 1 / (1 + decay);
     const R near = decay * far;
@@ -73,12 +76,12 @@ struct UnitNode {
     const R rate = rise + fall_at(rise);
     return {near, far, log(far), rate, both, both * rate * rate, static_cast<double>(near)};
   }
-  /// (pi/2) e^-tau.
+  /// Returns (pi/2) e^-tau.
   static R fall_at(const R& rise) { return pi<R>() * pi<R>() / (4 * rise); }
 };
 
-/// What a trapezoidal rule with the nodes tau = 0, h, 2h, ... knows of the unit interval, whatever the panel: a whole number
-/// of steps, `per_octave`, doubles e^tau. It grows as it is asked for, and is shared by all grids.
+/// The data on the unit interval of a trapezoidal rule with the nodes tau = 0, h, 2h, ..., which do not depend on the
+/// panel. `per_octave` steps double e^tau. The data grow on demand and are shared by all grids.
 template <Real R>
 class UnitGrid {
  public:
@@ -96,21 +99,21 @@ class UnitGrid {
     for (int i = 0; i < per_octave; ++i) octave_.push_back(rise_at(R(i) / per_octave));
   }
 
-  /// h, and (pi/2) e^tau at 0, h, ... below log 2.
+  /// The step h, and (pi/2) e^tau at 0, h, ... below log 2.
   R step() const { return log(R(2)) / octave_.size(); }
   const std::vector<R>& octave() const { return octave_; }
-  /// At 0, h, 2h, ...: `count` at least.
+  /// Returns at least `count` nodes at 0, h, 2h, ...
   Nodes nodes(int count) {
     const std::lock_guard lock(mutex_);
     return made_nodes(count);
   }
-  /// The midpoint's distances, that to the nearer end first.
+  /// Returns the distances of the midpoint; `near` is the distance to the nearer end.
   UnitNode<R> midpoint(int cell) {
     const std::lock_guard lock(mutex_);
     return made_midpoint(cell);
   }
-  /// 2^`bits`/(y' - y) at the nodes -`reach`, ..., `reach` at least, y the midpoint of a cell; as many on both sides of the
-  /// middle.
+  /// Returns 2^`bits`/(y' - y) at least at the nodes -`reach`, ..., `reach`, where y is the midpoint of a cell. There
+  /// is the same number of nodes on both sides of the middle.
   Numbers reciprocals(int cell, int reach) {
     const std::lock_guard lock(mutex_);
     Numbers& known = reciprocals_[cell];
@@ -121,7 +124,7 @@ class UnitGrid {
     std::vector<Integer> made;
     for (int i = -reach; i <= reach; ++i) {
       const UnitNode<R>& node = (*nodes)[static_cast<std::size_t>(std::abs(i))];
-      // From the end that is nearer to y: distances to it are known best.
+      // Measure from the end nearer to y, because distances to it are the most accurate.
       const R& distance = (i > 0) == right ? node.near : node.far;
       made.push_back(shifted(R(1 / (right ? R(place.near - distance) : R(distance - place.near))), bits));
     }
@@ -161,33 +164,34 @@ class UnitGrid {
   std::map<int, Numbers> reciprocals_;
 };
 
-/// Of the digits served and four more, as an exponent.
+/// The accuracy exponent of the returned digits and four more.
 template <Real R>
 double accuracy() {
   return (digits_served<R> + 4) * std::numbers::ln10;
 }
 
-/// b of the pole at the nearest place.
+/// Returns b of the pole at the nearest admissible place.
 double strip_of_places() {
   const double s = std::log(nearest_place / (1 - nearest_place)) / std::numbers::pi;
   const double sum = 5 + s * s;
   return std::asin(2 / std::sqrt((sum + std::sqrt(sum * sum - 16)) / 2));
 }
 
-/// b of a real point beyond an end.
+/// Returns b of a real point beyond an end.
 double strip(double distance) {
   const double a = std::log1p(1 / distance) / std::numbers::pi;
   return std::asin(2 / (a + std::sqrt(a * a + 4)));
 }
 
-/// From a panel to the nearest singular point or pole beyond it on that side, over the panel's length.
+/// Returns the distance from a panel to the nearest singular point or pole beyond it on that side, divided by the
+/// panel's length.
 template <Real R>
 double clearance(const PiecewiseDensity<R>& density, std::size_t k, Side side) {
   const bool left = side == Side::left;
   if (left ? k == 0 : k + 1 == density.size()) return HUGE_VAL;
   const PanelDensity<R>& neighbour = density[left ? k - 1 : k + 1];
   const R& gap = left ? density[k].gap : neighbour.gap;
-  // A midpoint lies up to a step before the place it is next to.
+  // A midpoint lies up to one step before the requested place.
   const R distance = gap > 0 ? gap : R(neighbour.panel.length * R(0.75 * nearest_beside_a_panel));
   return static_cast<double>(R(distance / density[k].panel.length));
 }
@@ -204,7 +208,7 @@ int nodes_per_octave(const PiecewiseDensity<R>& density, std::size_t k) {
   return static_cast<int>(std::ceil(std::numbers::ln2 / longest));
 }
 
-/// How far the nodes reach, in tau.
+/// The range of the nodes in tau.
 template <Real R>
 double reach(const Power<R>& power) {
   return std::asinh((accuracy<R>() + margin) / (std::numbers::pi * static_cast<double>(power.plus_one)));
@@ -220,9 +224,9 @@ R power_of(const R& base, const R& exponent) {
   return exponent == 1 ? base : pow(base, exponent);
 }
 
-/// y^a (1-y)^b pi cosh tau at the nodes first..last, a, b > 0: (1-y)^(a+b) or y^(a+b), of the greater one, times e^-2bu on the
-/// right and e^2au on the left. Where a + b is whole, those of two nodes that mirror each other have the product
-/// (y (1-y))^(a+b) (pi cosh tau)^2.
+/// Computes y^a (1-y)^b pi cosh tau at the nodes first..last, a, b > 0, as y^(a+b) e^-2bu on the right and (1-y)^(a+b)
+/// e^2au on the left, so that the base is the larger of y and 1-y. If a + b is an integer, the values at two mirrored
+/// nodes have the product (y (1-y))^(a+b) (pi cosh tau)^2.
 template <Real R>
 std::vector<R> end_weights(UnitGrid<R>& grid, const R& a, const R& b, int first, int last) {
   const R sum = a + b;
@@ -241,7 +245,7 @@ std::vector<R> end_weights(UnitGrid<R>& grid, const R& a, const R& b, int first,
       for (int k = 0; mirrored && k < whole; ++k) weight *= node.far;
     }
   };
-  // The lower power reaches further.
+  // The lower power needs the longer range.
   const int longer = a < b ? -1 : 1;
   fill(longer, a < b ? -first : last, std::min(a, b));
   if (!mirrored) {
@@ -315,7 +319,7 @@ typename Grid<R>::PanelSamples Grid<R>::sampled(const PanelDensity<R>& density, 
     result.rough.push_back({i > 0 ? far : near, i > 0 ? near : far, rough});
     size += std::abs(rough);
     if (unit.rough_near < outermost_seen) continue;
-    // The sign is what counts; where it is wrong, the size as well.
+    // Only the sign matters; if it is wrong, the size matters too.
     R t = rough;
     if ((weighted > 0) == positive) t = result.factor * weighted / (h * panel.length * unit.rate * y * rest);
     result.highest = std::max(result.highest, t);
@@ -407,14 +411,14 @@ Estimate<double> Grid<R>::rough_displacement(std::size_t k, Side end, double dis
     for (const RoughSample& s : panels_[j].rough) {
       const double facing = beyond_right == same_side ? s.from_right : s.from_left;
       const double to_end = facing + apart + (same_side && j != k ? own_length : 0);
-      // What double takes for the end itself bears no load.
+      // Nodes so close to the end that double cannot resolve the distance carry no load.
       if (to_end < 1e-300) continue;
       const double term = s.weighted * std::log1p(same_side ? distance / to_end : -distance / to_end);
       sum += term;
       part += std::abs(term);
     }
     size += part;
-    // The point itself is a singular point, of a logarithm, beyond the panel.
+    // The point itself is a logarithmic singular point beyond the panel.
     const double length = static_cast<double>(density_[j].panel.length);
     const double clear = same_side ? distance + apart + (j == k ? 0 : own_length) : apart - distance;
     const double h = step(panels_[j].per_octave);

@@ -1,11 +1,11 @@
 #pragma once
-// A double-exponential rule for the unit interval, for functions like log y at 0 and analytic at 1, with no other singular
-// point closer than 1 to the interval:
+// A double-exponential rule for the unit interval, for functions that behave like log y at 0, are analytic at 1, and
+// have no other singular point closer than 1 to the interval:
 //
 //   y = 1/(1 + e^{-2u}), u = (pi/2) sinh tau, the trapezoidal rule in tau [TM74].
 //
-// The step follows from the strip |Im tau| < 0.77 that such points leave free: an error like e^{-2 pi 0.77/h}. Below
-// the first node lies the part y (1 - log y) of -int_0^1 log y dy: about epsilon.
+// The step follows from the strip |Im tau| < 0.77 without singular points: the error is like e^{-2 pi 0.77/h}. The part
+// of -int_0^1 log y dy below the first node is y (1 - log y), about epsilon.
 
 #include <cmath>
 
@@ -18,7 +18,7 @@ template <Real R>
 UnitRule<R> double_exponential_rule() {
   const R digits = -log(epsilon<R>());
   const R h = 2 * pi<R>() * R(0.7) / digits;
-  // -log y at the first node, with a margin for log y; that of 1 - y at the last one is `digits`.
+  // -log y at the first node, with a margin for log y. -log(1 - y) at the last node is `digits`.
   const R left = digits + log(digits);
   const auto first = -static_cast<int>(ceil(asinh(left / pi<R>()) / h));
   const auto last = static_cast<int>(ceil(asinh(digits / pi<R>()) / h));

@@ -1,7 +1,7 @@
 #pragma once
-// Cuts an interval so finely that a function with singular points outside it, and powers at its own ends, is smooth on
-// every part but for one power at most: Gauss-Jacobi rules then converge geometrically, at a rate that no distance
-// between singular points can spoil.
+// Divides an interval into parts, for a function with singular points outside the interval and powers at its ends. On
+// every part the function is smooth except for at most one power. So Gauss-Jacobi rules converge geometrically, at a
+// rate that does not depend on the distances between singular points.
 
 #include <optional>
 #include <vector>
@@ -11,25 +11,25 @@
 
 namespace steadyslide::numeric {
 
-/// A part of an interval: where it begins, how far its end is from the interval's right end, and its length.
+/// A part of an interval: its start, the distance of its end from the interval's right end, and its length.
 template <Real R>
 struct GradedPanel {
   R from_left;
   R from_right;
   R length;
-  std::optional<Side> singular_end;  ///< the end of the part where a power of the distance sits
+  std::optional<Side> singular_end;  ///< the end of the part with a power of the distance
 };
 
-/// The nearest singular points as seen from an interval.
+/// The singular points nearest to an interval.
 template <Real R>
 struct Surroundings {
-  bool left_singular;  ///< a power at the interval's own left end
+  bool left_singular;  ///< there is a power at the interval's own left end
   bool right_singular;
-  R beyond_left;  ///< from the left end to the next singular point on the left of it
+  R beyond_left;  ///< distance from the left end to the next singular point on its left
   R beyond_right;
 };
 
-/// No part is longer than its distance from any singular point but the one at its own end.
+/// Returns the parts. No part is longer than its distance from any singular point, except the one at its own end.
 template <Real R>
 std::vector<GradedPanel<R>> graded_panels(const R& length, const Surroundings<R>& around) {
   std::vector<GradedPanel<R>> done;
@@ -45,8 +45,8 @@ std::vector<GradedPanel<R>> graded_panels(const R& length, const Surroundings<R>
       if (own_end_singular && to_end > 0) return part.length <= to_end;
       return part.length <= to_end + beyond;
     };
-    // A part with a power at one end keeps clear of the other end of the interval: places beyond it are then at least
-    // as far away as the part is long.
+    // A part with a power at one end must not reach the other end of the interval. Then the distance of places beyond
+    // that end is at least the length of the part.
     const bool clear = !(owns_left && at_right) && !(owns_right && at_left);
     if (clear && far(around.left_singular, part.from_left, around.beyond_left) &&
         far(around.right_singular, part.from_right, around.beyond_right)) {

@@ -1,12 +1,13 @@
 #pragma once
-// sum_i f_i/(x + y_i), x >= 0, for sources y_i > 0 that follow each other over hundreds of octaves, and places x over as many,
-// in more digits than double's. Of panels of sources
+// The sum sum_i f_i/(x + y_i), x >= 0, for sources y_i > 0 and places x that extend over hundreds of octaves, in higher
+// precision than double. The sum over panels of sources is
 //
 //   sum_j (-x)^j sum_i f_i y_i^-(j+1)          if y_i >= 8 x,
 //   sum_j (-1)^j x^-(j+1) sum_i f_i y_i^j      if y_i <= x/8,
 //
-// the inner sums being made once, over all panels from one on and up to one: a place costs no more than the panels of
-// about its own distance, which are left to the caller. The rest of a series is below epsilon/8 of its sizes.
+// The inner sums are computed once for every panel, over this and all following panels and over all panels before it.
+// So the cost of a place is that of the panels at a similar distance, which the caller adds. The rest of a series is
+// below epsilon/8 of the sum of its absolute values.
 
 #include <algorithm>
 #include <cmath>
@@ -20,25 +21,25 @@ template <Real R>
 class GradedSum {
  public:
   struct Panel {
-    R begin;  ///< y of its two ends
+    R begin;  ///< y at its two ends
     R end;
-    std::vector<R> y;  ///< of its sources
+    std::vector<R> y;  ///< y of its sources
     std::vector<R> f;
   };
   GradedSum() = default;
-  /// From y = 0 on.
+  /// Takes the panels, which begin at y = 0.
   explicit GradedSum(std::vector<Panel> panels) : panels_(std::move(panels)), beyond_{{}}, before_{{}} {}
 
   struct Far {
     R value;
-    double size;        ///< the sum of sizes
+    double size;        ///< the sum of absolute values
     std::size_t first;  ///< panels first..end-1 are left out
     std::size_t end;
   };
   Far at(const R& x) {
     const R near = x / ratio;
     const R far = x * ratio;
-    // The first panel has sources as near to a place on its end as may be.
+    // Sources of the first panel can be arbitrarily close to a place at its end.
     const auto begin = panels_.begin();
     const auto first = std::partition_point(begin, panels_.end(), [&](const Panel& p) { return p.end <= near; });
     const auto end = std::partition_point(std::max(first, std::min(begin + 1, panels_.end())), panels_.end(),
@@ -78,7 +79,7 @@ class GradedSum {
       }
     }
   };
-  /// sum f y^-(j+1) over the last panels.
+  /// Returns sum f y^-(j+1) over the last `count` panels.
   const Series& beyond(std::size_t count) {
     while (beyond_.size() <= count) {
       const Panel& panel = panels_[panels_.size() - beyond_.size()];
@@ -91,7 +92,7 @@ class GradedSum {
     }
     return beyond_[count];
   }
-  /// sum f y^j over the first ones.
+  /// Returns sum f y^j over the first `count` panels.
   const Series& before(std::size_t count) {
     while (before_.size() <= count) {
       const Panel& panel = panels_[before_.size() - 1];
@@ -103,7 +104,7 @@ class GradedSum {
   }
 
   std::vector<Panel> panels_;
-  std::vector<Series> beyond_;  ///< as far as asked for
+  std::vector<Series> beyond_;  ///< computed on demand
   std::vector<Series> before_;
 };
 

@@ -13,11 +13,11 @@ namespace {
 constexpr std::size_t max_intervals = 400;
 constexpr double relative_tolerance = 1e-13;
 
-/// The value of an adaptive rule for g, rule(function, workspace, value, error). Round-off met at the tolerance asked for is
-/// not a failure: the error estimate says what was reached.
+/// Returns the value of an adaptive rule for g, rule(function, workspace, value, error). If rounding prevents the
+/// requested tolerance, this is not a failure: the error estimate gives the tolerance that was reached.
 template <class G, class Rule>
 Estimate<double> adaptive(const G& g, const Rule& rule) {
-  // GSL aborts the process on an error unless its one global handler is off: here, and nowhere else.
+  // GSL aborts the process on an error unless its global error handler is off. Only this place switches it off.
   static std::once_flag once;
   std::call_once(once, [] { gsl_set_error_handler_off(); });
   const std::unique_ptr<gsl_integration_workspace, decltype(&gsl_integration_workspace_free)> workspace(
@@ -30,7 +30,8 @@ Estimate<double> adaptive(const G& g, const Rule& rule) {
   return {value, error, reached ? Convergence::reached : Convergence::stalled};
 }
 
-/// int_0^length d^power g(d) dd, 0 for an empty interval. QAWS wants power > -1; 1 + lambda may be below 1e-16.
+/// Returns int_0^length d^power g(d) dd; 0 for an empty interval. QAWS requires power > -1; 1 + lambda may be below
+/// 1e-16.
 template <class G>
 Estimate<double> qaws(double length, double power, const G& g) {
   if (length <= 0) return {};
@@ -43,7 +44,7 @@ Estimate<double> qaws(double length, double power, const G& g) {
   });
 }
 
-/// PV int_{-radius}^{radius} g(y)/y dy.
+/// Returns PV int_{-radius}^{radius} g(y)/y dy.
 template <class G>
 Estimate<double> qawc(double radius, const G& g) {
   return adaptive(g, [&](gsl_function* f, gsl_integration_workspace* workspace, double* value, double* error) {
@@ -51,7 +52,8 @@ Estimate<double> qawc(double radius, const G& g) {
   });
 }
 
-/// From each end to the middle, so that a kernel that is nearly singular at an end sees the exact distance to it.
+/// Integrates from each end to the middle. So a kernel that is nearly singular at an end gets the exact distance to
+/// that end.
 template <class Kernel>
 Estimate<double> weighted_panel(const PanelDensity<double>& density, const Kernel& kernel) {
   Estimate<double> sum;
@@ -65,10 +67,10 @@ Estimate<double> weighted_panel(const PanelDensity<double>& density, const Kerne
 }
 
 Estimate<double> own_panel(const PanelDensity<double>& density, const Node<double>& at) {
-  const double radius = std::min(at.from_left, at.from_right) / 2;  // makes one of the two middle parts empty
+  const double radius = std::min(at.from_left, at.from_right) / 2;  // so one of the two middle parts is empty
   const Panel<double>& panel = density.panel;
   Estimate<double> sum = qawc(radius, [&](double y) { return density(at.moved(y)); });
-  // What is left of x - radius and right of x + radius: half of it seen from x, the rest from the end.
+  // The parts left of x - radius and right of x + radius: half of each is measured from x, the other half from the end.
   sum += qaws(at.from_left / 2, density.left.value, [&](double d) {
     return density.without_power(Side::left, panel.node_from_left(d)) / (d - at.from_left);
   });

@@ -10,7 +10,7 @@ namespace {
 
 template <Real R>
 struct Root {
-  R distance;  ///< from the end that the polynomial is normalised at
+  R distance;  ///< from the end at which the polynomial is normalised
   R slope;
 };
 
@@ -18,7 +18,7 @@ struct Root {
 ///
 ///   P_{k+1} - P_k = h_k (P_k - P_{k-1}) - y g_k P_k,   g, h > 0,
 ///
-/// nothing cancels next to y = 0: zeros have relative precision there, also those at y ~ A when A is tiny.
+/// nothing cancels next to y = 0. So zeros have full relative precision there, also those at y ~ A for tiny A.
 template <Real R>
 class Polynomials {
  public:
@@ -34,7 +34,7 @@ class Polynomials {
     }
   }
 
-  /// All n zeros, increasing, with an error of about 1e-15.
+  /// Returns all n zeros in increasing order, with an error of about 1e-15.
   Eigen::VectorXd rough_zeros() const {
     const auto n = static_cast<Eigen::Index>(g_.size());
     Eigen::VectorXd diagonal(n);
@@ -51,11 +51,11 @@ class Polynomials {
     return solver.eigenvalues();
   }
 
-  /// Newton's step from y = 0: not beyond the first zero, and close to it if A is small.
+  /// Returns Newton's step from y = 0. It is not beyond the first zero, and close to it if A is small.
   R first_zero_bound() const { return a_ / eigenvalue_; }
 
-  /// Halley's method: the differential equation y (1-y) P'' + (A - (A+B) y) P' + N P = 0 has the higher derivatives at
-  /// hand, and the last step carries the slope along.
+  /// Halley's method. The differential equation y (1-y) P'' + (A - (A+B) y) P' + N P = 0 gives the higher derivatives.
+  /// The last step also updates the slope.
   Root<R> zero_near(R y) const {
     const auto n = static_cast<double>(g_.size());
     for (int step = 0; step < 20; ++step) {
@@ -99,7 +99,7 @@ class Polynomials {
   std::vector<R> h_;
 };
 
-/// Gamma(A) Gamma(B)/Gamma(A + B), exact where it is a reciprocal.
+/// Returns Gamma(A) Gamma(B)/Gamma(A + B), exact if it is a reciprocal.
 template <Real R>
 R beta(const R& a, const R& b) {
   if (b == 1) return 1 / a;
@@ -123,7 +123,7 @@ UnitRule<R> jacobi_rule(const Power<R>& left, const Power<R>& right, int n) {
   const Polynomials<R> from_left(a, b, n);
   const Polynomials<R> from_right(b, a, n);
   const Eigen::VectorXd rough = from_left.rough_zeros();
-  // P normalised at one end in units of P normalised at the other.
+  // The ratio of P normalised at one end to P normalised at the other.
   R ratio = 1;
   for (int k = 1; k < n; ++k) ratio *= (a + k) / (b + k);
 
@@ -133,7 +133,7 @@ UnitRule<R> jacobi_rule(const Power<R>& left, const Power<R>& right, int n) {
     const bool left_is_near = rough[i] <= 0.5;
     const Polynomials<R>& p = left_is_near ? from_left : from_right;
     const double start = left_is_near ? rough[i] : 1 - rough[i];
-    // The eigenvalues have no digits there.
+    // The eigenvalues have no correct digits there.
     const bool outermost = i == (left_is_near ? 0 : n - 1) && start < 1e-9;
     const Root<R> root = p.zero_near(outermost ? p.first_zero_bound() : R(start));
     const R other = 1 - root.distance;

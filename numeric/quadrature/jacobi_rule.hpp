@@ -3,9 +3,9 @@
 //
 //   int_0^1 y^a (1-y)^b f(y) dy = sum_i weight_i f(y_i),   exact for polynomials f of degree < 2n.
 //
-// Nodes start from the eigenvalues of the Jacobi matrix in double [GW69] and are polished in R by Halley's method. Only
-// 1 + a and 1 + b enter, and nodes are formed from the end that is nearer: distances to both ends and weights have full
-// relative precision, however near to -1 the exponents are.
+// The eigenvalues of the Jacobi matrix in double [GW69] are the starting values of the nodes; Halley's method refines
+// them in R. The method uses only 1 + a and 1 + b, and measures nodes from the nearer end. So distances to both ends
+// and weights have full relative precision, for exponents arbitrarily close to -1.
 
 #include <map>
 #include <tuple>
@@ -33,11 +33,11 @@ using JacobiRule = UnitRule<R>;
 template <Real R>
 UnitRule<R> jacobi_rule(const Power<R>& left, const Power<R>& right, int n);
 
-/// Rules made once per pair of exponents and number of nodes. Not to be shared between threads.
+/// A cache of rules: each pair of exponents and number of nodes is computed once. Threads must not share it.
 template <Real R>
 class JacobiRules {
  public:
-  /// Stays valid as long as this object.
+  /// Returns the rule. The reference is valid as long as this object exists.
   const UnitRule<R>& get(const Power<R>& left, const Power<R>& right, int n);
 
  private:

@@ -1,10 +1,11 @@
 #pragma once
-// sum_i f_i/(x_i - y) for many y in [0, 1] and sources at distances d_i >= 1/2 from its nearer end, in more digits than
-// double's. With rho of distant_sum.hpp,
+// The sum sum_i f_i/(x_i - y) for many y in [0, 1] and sources at distances d_i >= 1/2 from the nearer end of [0, 1],
+// in higher precision than double. With rho of distant_sum.hpp,
 //
 //   1/(d + y) = 2/sqrt(d (1 + d)) (1/2 + sum_{k>0} rho^-k T_k(1 - 2 y)),
 //
-// all of them are one series of Chebyshev's polynomials: a place costs its terms, however many sources there are.
+// all sources together are one series of Chebyshev's polynomials. The cost of a place is the number of terms, for any
+// number of sources.
 
 #include "numeric/quadrature/distant_sum.hpp"
 
@@ -13,7 +14,7 @@ namespace steadyslide::numeric {
 template <Real R>
 class LocalSum {
  public:
-  /// A source at the distance d from y = 1, beyond it, if it is on the right; else from y = 0.
+  /// Adds a source at the distance d beyond y = 1 if it is on the right; otherwise beyond y = 0.
   void add(const R& f, const R& d, bool is_right) {
     const R root = sqrt(R(d * (1 + d)));
     R q = 1 / (1 + 2 * (d + root));
@@ -28,7 +29,7 @@ class LocalSum {
       if (k == 0) term *= 2;
       term *= q;
     }
-    // What is left is below double's share of the digits.
+    // The remaining terms are so small that double is sufficient.
     auto rough = static_cast<double>(term);
     const auto rough_q = static_cast<double>(q);
     for (std::size_t k = first; k < count; ++k, rough *= rough_q) rough_[k] += rough;
@@ -39,11 +40,11 @@ class LocalSum {
     const R twice = 2 - 4 * y;
     return clenshaw(terms_, twice) + clenshaw(rough_, static_cast<double>(twice));
   }
-  /// sum_i |f_i|/d_i, no less than the sum of the sizes anywhere.
+  /// Returns sum_i |f_i|/d_i, an upper bound of the sum of absolute values at any place.
   double size() const { return size_; }
 
  private:
-  /// sum_k a_k T_k(twice/2).
+  /// Returns sum_k a_k T_k(twice/2).
   template <class Number>
   static Number clenshaw(const std::vector<Number>& a, const Number& twice) {
     Number now = 0, before = 0, next;

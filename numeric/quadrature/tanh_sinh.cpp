@@ -5,26 +5,26 @@
 namespace steadyslide::numeric::tanh_sinh {
 namespace {
 
-/// The rule's least abscissa, and the distance that stands for the end where nearly all of an integral lies there: powers of
-/// epsilon.
+/// Powers of epsilon: the smallest abscissa of the rule, and the distance that replaces the end if nearly all of an
+/// integral comes from there.
 constexpr int least_abscissa = 4, limit_distance = 2;
-/// Such an integral has a power p - 1 with p below this.
+/// Such an integral has a power p - 1 with p smaller than this.
 constexpr double low_power = 0.01;
 
-/// The rule's abscissas. Boost 1.74 cannot build them down to the smallest MPFR number (its constructor throws), and
-/// need not: with the end powers absorbed integrands are bounded, and what lies below epsilon^4 does not count.
+/// The rule's abscissas. Boost 1.74 cannot compute them down to the smallest MPFR number (its constructor throws). This
+/// is not necessary: with the end powers absorbed integrands are bounded, and the part below epsilon^4 is negligible.
 template <Real R>
 boost::math::quadrature::tanh_sinh<R>& rule() {
   thread_local boost::math::quadrature::tanh_sinh<R> instance(15, pow(epsilon<R>(), R(least_abscissa)));
   return instance;
 }
 
-/// int_0^1 f(v) dv for a bounded f, analytic inside. The function's type is erased so that Boost's rule is compiled
-/// once a precision: a call through it costs less than a tenth of one power.
+/// Returns int_0^1 f(v) dv for a bounded f that is analytic inside. The type of f is erased, so that Boost's rule is
+/// compiled once for each precision. The extra call costs less than a tenth of one power.
 template <Real R>
 Estimate<R> unit_integral(const std::function<R(const R&)>& f) {
-  // Halving the step squares the error of the rule: two levels that agree to sqrt(epsilon) leave an error near epsilon.
-  // A little more is asked for; Boost stops short of it where its own heuristics see round-off.
+  // Halving the step squares the error of the rule: if two levels agree to sqrt(epsilon), the error is near epsilon.
+  // The tolerance is a little smaller than that. Boost stops earlier if its own heuristics detect round-off.
   static const R tolerance = pow(epsilon<R>(), R(0.8));
   static const R sufficient = sqrt(epsilon<R>());
   R error = 0;
@@ -33,14 +33,14 @@ Estimate<R> unit_integral(const std::function<R(const R&)>& f) {
   try {
     value = rule<R>().integrate(f, R(0), R(1), tolerance, &error, &l1);
   } catch (const boost::math::evaluation_error&) {
-    // The integrand was infinite, or no number: of a state that is no solution.
+    // The integrand was infinite or NaN. The state is not a solution.
     return {std::numeric_limits<R>::quiet_NaN(), infinity<R>(), Convergence::stalled};
   }
   const bool reached = error <= sufficient * l1;
   return {value, reached ? 16 * epsilon<R>() * l1 : error, reached ? Convergence::reached : Convergence::stalled};
 }
 
-/// int_0^h d^lambda g(d) dd.
+/// Returns int_0^h d^lambda g(d) dd.
 template <Real R, class G>
 Estimate<R> power_integral(const R& h, const Power<R>& power, const G& g) {
   if (power.value == 0) {
@@ -49,8 +49,9 @@ Estimate<R> power_integral(const R& h, const Power<R>& power, const G& g) {
   const R inverse = 1 / power.plus_one;
   const R factor = pow(h, power.plus_one) * inverse;
   if (power.plus_one < R(low_power)) {
-    // In the variable below all that g does lies within 1 + lambda of 1: so little of the integral that two levels agree
-    // before they have seen it. Here it is a small integral of its own. At the end itself a density may leave a term out.
+    // In the variable below, g varies only within 1 + lambda of 1. This is such a small part of the integral that two
+    // levels agree before they resolve it. So it is computed here as a separate small integral. At the end itself a
+    // density may leave out a term.
     const R limit = g(h * pow(epsilon<R>(), R(limit_distance)));
     const Estimate<R> rest = unit_integral<R>([&](const R& v) { return pow(v, power.value) * (g(h * v) - limit); });
     return factor * (Estimate<R>{limit, R(0)}.widened(16 * epsilon<R>()) + power.plus_one * rest);
@@ -58,7 +59,7 @@ Estimate<R> power_integral(const R& h, const Power<R>& power, const G& g) {
   return factor * unit_integral<R>([&](const R& v) { return g(h * pow(v, inverse)); });
 }
 
-/// int t(x') kernel(node') dx' over the parts [left, left + h_left] and [right - h_right, right] of a panel.
+/// Returns int t(x') kernel(node') dx' over the parts [left, left + h_left] and [right - h_right, right] of a panel.
 template <Real R, class Kernel>
 Estimate<R> outer_integral(const PanelDensity<R>& density, const R& h_left, const R& h_right, const Kernel& kernel) {
   Estimate<R> sum;
@@ -77,12 +78,12 @@ Estimate<R> whole_integral(const PanelDensity<R>& density, const Kernel& kernel)
   return outer_integral<R>(density, half, half, kernel);
 }
 
-/// PV int t(x')/(x'-x) dx' over the panel that contains x.
+/// Returns PV int t(x')/(x'-x) dx' over the panel that contains x.
 template <Real R>
 Estimate<R> own_panel(const PanelDensity<R>& density, const Node<R>& at) {
   const R h_left = at.from_left / 2;
   const R h_right = at.from_right / 2;
-  // x' - x from the distances to the end that is nearer to x: both are known exactly there.
+  // x' - x is computed from the distances to the end nearer to x, because both are exact there.
   const bool left_is_near = at.from_left < at.from_right;
   Estimate<R> sum = outer_integral<R>(density, h_left, h_right, [&](const Node<R>& node) {
     return 1 / (left_is_near ? node.from_left - at.from_left : at.from_right - node.from_right);

@@ -10,19 +10,19 @@ namespace {
 // The nodes in tau, x = tanh(tau/2), and the end powers at them: from_left = length/(1+e^-tau), from_right = from_left
 // e^-tau, and log(from_left/from_right) = tau.
 
-/// -log(epsilon): the accuracy to be reached, as an exponent.
+/// Returns -log(epsilon), the required accuracy as an exponent.
 template <Real R>
 R accuracy() {
   return -log(epsilon<R>());
 }
 
-/// Principal values may be taken as near as e^-margin of a panel to its ends.
+/// Principal values may be taken as close as e^-margin of a panel to its ends.
 template <Real R>
 R margin() {
   return 20;
 }
 
-/// What every panel's nodes at +-tau, tau >= 0, are made of.
+/// The data for the nodes of every panel at +-tau, tau >= 0.
 template <Real R>
 struct UnitNode {
   R exponential;  ///< e^-tau
@@ -35,14 +35,15 @@ struct UnitNode {
   }
 };
 
-/// A step of few bits makes every k h exact: nodes that jitter by a rounding would be the largest error of all.
+/// A step with few bits, so that every k h is exact. Otherwise the rounding of nodes would be the largest error.
 template <Real R>
 R step_length() {
-  // The integrand is analytic for |Im tau| < pi, with branch points on the border: a little more than the accuracy.
+  // The integrand is analytic for |Im tau| < pi, with branch points on the border. So aim at slightly more than the
+  // accuracy.
   return floor(1024 * 2 * pi<R>() * pi<R>() / (accuracy<R>() + 12)) / 1024;
 }
 
-/// At 0, h, 2h, ...: the same for all grids, and logarithms are what costs most in them.
+/// The data at 0, h, 2h, ... are the same for all grids. Their logarithms are the most expensive part.
 template <Real R>
 const std::vector<UnitNode<R>>& unit_nodes() {
   static const std::vector<UnitNode<R>> nodes = [] {
@@ -56,15 +57,15 @@ const std::vector<UnitNode<R>>& unit_nodes() {
 
 template <Real R>
 Node<R> node_at(const Panel<R>& panel, const UnitNode<R>& unit, bool right_half) {
-  // Both distances from the smaller exponential: neither overflows, neither cancels.
+  // Compute both distances from the smaller exponential: there is no overflow and no cancellation.
   const R far = panel.length / unit.sum;
   const R near = far * unit.exponential;
   return right_half ? Node<R>{panel.right - near, far, near} : Node<R>{panel.left + near, near, far};
 }
 
-/// from_left^(1+lambda) from_right^(1+mu), lambda and mu the density's end powers. In higher precision it is one
-/// exponential. Its argument costs digits where it is large, but then it is negative: the factor is as small as they
-/// are few, and the sums do not feel it.
+/// Returns from_left^(1+lambda) from_right^(1+mu), where lambda and mu are the density's end powers. In higher
+/// precision it is one exponential. A large argument loses digits, but it is negative, so the factor is so small that
+/// the loss does not affect the sums.
 template <Real R>
 class EndPowers {
  public:
@@ -90,7 +91,7 @@ class EndPowers {
 
 }  // namespace
 
-/// Neumaier's summation: next to a zero of the traction principal values cancel by three digits and more.
+/// Neumaier's summation. Next to a zero of the traction, principal values lose three digits and more by cancellation.
 template <Real R>
 class CompensatedSum {
  public:
@@ -125,7 +126,8 @@ struct Grid<R>::Line {
 template <Real R>
 std::shared_ptr<const typename Grid<R>::Line> Grid<R>::line() const {
   if constexpr (std::same_as<R, double>) {
-    // A displacement has a logarithm for every sample: cells are worth while for fewer panels than in sums of quotients.
+    // A displacement has a logarithm for every sample. So cells are faster already for fewer panels than in sums of
+    // quotients.
     if (density_.size() < hierarchical::fewest_panels / 4) return nullptr;
     std::vector<std::size_t> leaf_of, panel_of;
     std::vector<double> lengths, weights;
@@ -161,13 +163,13 @@ template <Real R>
 typename Grid<R>::Samples Grid<R>::sample(std::size_t panel_index, const R& offset) const {
   const PanelDensity<R>& density = density_[panel_index];
   const Panel<R>& panel = density.panel;
-  // Beyond this tau the density is its end power to full accuracy, and so is its product with a Cauchy kernel. A panel's
-  // neighbour, a short one, sees the density at distances of its own length.
+  // Beyond this tau the density equals its end power to full accuracy, and so does its product with a Cauchy kernel. A
+  // short neighbouring panel needs the density at distances of its own length.
   const R constant_beyond = accuracy<R>() + margin<R>() + log(panel.length / shortest_);
   const auto reach = [&](const Power<R>& power, const R& gap) {
     const R usual = min(constant_beyond, R((5 + constant_beyond) / power.plus_one));
     if (gap == 0) return usual;
-    // Farther out than a short gap is long, the end beyond it has a part in the power.
+    // At distances larger than a short gap, the end beyond the gap also influences the power.
     return max(usual, min(R(2 * constant_beyond), R(log(panel.length / gap) + margin<R>())));
   };
   const R right_gap = panel_index + 1 < density_.size() ? density_[panel_index + 1].gap : R(0);
@@ -244,7 +246,8 @@ R Grid<R>::hilbert(const PanelPoint<R>& at) const {
   const auto cauchy_kernel = [&](const Node<R>& node) {
     return 1 / (left_is_near ? node.from_left - x.from_left : x.from_right - node.from_right);
   };
-  // Off the staggered position by delta the principal value is off by pi^2 t delta/h: only rounding may be let pass.
+  // If the point is displaced by delta from the staggered position, the principal value has the error pi^2 t delta/h.
+  // So only rounding is allowed.
   const bool on_grid = abs(off_grid) < 8 * epsilon<R>() * (4 + abs(cells));
   R total = on_grid ? sum(own.panel, samples_[at.panel], cauchy_kernel)
                     : sum(own.panel, sample(at.panel, tau + step_ / 2), cauchy_kernel);
@@ -301,7 +304,7 @@ R Grid<R>::displacement(std::size_t k, Side end, const R& distance) const {
   const PanelDensity<R>& own = density_[k];
   const auto from_end = [end](const Node<R>& node) { return end == Side::right ? node.from_right : node.from_left; };
   CompensatedSum<R> total;
-  // On the own panel the logarithm grows by h from term to term of the tail: an arithmetic-geometric series.
+  // On this panel the logarithm grows by h from term to term of the tail, which is an arithmetic-geometric series.
   const Samples& samples = samples_[k];
   for (const Sample& s : samples.inner) total.add(s.weighted * log1p(distance / from_end(s.node)));
   const R& near_tail = end == Side::right ? samples.right_tail : samples.left_tail;
@@ -342,7 +345,7 @@ R Grid<R>::displacement_of(std::size_t j, bool same_side, Side end, const R& bet
   return sum(density_[j].panel, samples_[j], [&](const Node<R>& node) {
     const R& from_left = node.from_left;
     const R& from_right = node.from_right;
-    // On the side of the point, |x - x'| is what is left of |e - x'|.
+    // On the same side as the point, |x - x'| is |e - x'| minus the distance.
     return same_side ? log1p(distance / (between + (end == Side::right ? from_right : from_left)))
                      : log1p(-distance / (between + (end == Side::right ? from_left : from_right)));
   });

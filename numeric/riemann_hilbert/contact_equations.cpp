@@ -11,7 +11,7 @@
 namespace steadyslide::numeric {
 namespace {
 
-/// q(z)/(z - e) without its remainder.
+/// Returns q(z)/(z - e) without its remainder.
 template <Real R>
 std::vector<R> quotient(const std::vector<R>& q, const R& e) {
   std::vector<R> result(q.empty() ? 0 : q.size() - 1, R(0));
@@ -23,8 +23,9 @@ std::vector<R> quotient(const std::vector<R>& q, const R& e) {
   return result;
 }
 
-/// Solves the equations row[0] x_0 + ... + row[n-1] x_{n-1} = row[n], one a row, by elimination; many in double by blocks. Rows may
-/// be of very different size: each is scaled to one. Absent where a row is zero; not finite where the rows depend on each other.
+/// Solves the equations row[0] x_0 + ... + row[n-1] x_{n-1} = row[n] by elimination; in double, many equations are
+/// solved by blocks. Rows may have very different sizes: each is scaled to one. The result is absent if a row is zero,
+/// and not finite if the rows are linearly dependent.
 template <Real R>
 std::optional<std::vector<R>> solve_equations(std::vector<std::vector<R>> rows) {
   const std::size_t n = rows.size();
@@ -68,8 +69,8 @@ std::optional<std::vector<R>> solve_equations(std::vector<std::vector<R>> rows) 
   return x;
 }
 
-/// |J^-1| e: what errors of the equations, at most e, do to the unknowns. Of many equations, for which the inverse costs
-/// more than all steps, what a few choices of signs make of them.
+/// Returns |J^-1| e, the errors of the unknowns if the errors of the equations are at most e. For many equations the
+/// inverse would cost more than all steps; then a few choices of the signs of e are used as an estimate.
 template <Real R>
 std::vector<R> amplified(const std::vector<std::vector<R>>& rows, const std::vector<R>& errors) {
   constexpr Eigen::Index few = 48, choices = 4;
@@ -98,14 +99,14 @@ std::vector<R> amplified(const std::vector<std::vector<R>>& rows, const std::vec
   return mapped(sum, [](double x) { return R(epsilon<R>() * x); });
 }
 
-/// Is point j the pivot of a component with two free ends?
+/// True if point j is the pivot of a component with two free ends.
 template <Real R>
 bool is_free_pivot(const TractionRepresentation<R>& form, std::size_t j) {
   const auto& pivot = form.y().pivots()[form.y().component_of(j)];
   return pivot.order > 0 && pivot.point == j;
 }
 
-/// The points that have a rho: free ends, but no pivots; then the poles of components without a free end.
+/// Returns the points that have a rho: free ends that are not pivots, then the poles of components without a free end.
 template <Real R>
 std::vector<std::size_t> columns(const TractionRepresentation<R>& form, const std::vector<std::size_t>& movable) {
   if (form.y().pivots().empty()) return movable;
@@ -132,7 +133,7 @@ ContactEquations<R>::ContactEquations(const TractionRepresentation<R>& form)
       size_(free_.size() + coefficients_ + (tilts_ ? 1 : 0)),
       equations_(size_, std::vector<R>(size_ + 1, R(0))),
       errors_(size_, R(0)) {
-  // With pivots the load is what an end that stays on a jump leaves to be checked.
+  // With pivots, the load is the condition that remains to be checked for an end that stays on a jump.
   if (!has_pivots()) add_moments();
   add_gaps();
   if (tilts_) add_centre();
@@ -194,7 +195,7 @@ StateErrors<R> ContactEquations<R>::rounding() const {
     if (!form_.set().counts_by_order(j)) continue;
     relative = std::max(relative, R(error / std::min(form_.set().length(j - 1), form_.set().length(j))));
   }
-  // Poles follow the free ends, coefficients of r the poles.
+  // The order is: free ends, poles, coefficients of r.
   const auto first = unknowns.begin() + static_cast<std::ptrdiff_t>(f);
   return {{largest, R(1), relative}, tilt, std::vector<R>(first, unknowns.end() - (tilts_ ? 1 : 0))};
 }
@@ -228,7 +229,7 @@ R ContactEquations<R>::neighbours_at(const SurfacePoint<R>& place) const {
   return sum;
 }
 
-/// theta_j/pi is the residue of u'/(c Y) at e_j: Y, too, changes with the ends.
+/// theta_j/pi is the residue of u'/(c Y) at e_j. Y also changes with the ends.
 template <Real R>
 std::vector<R> ContactEquations<R>::theta_step(const std::vector<R>& moved, const R& part) const {
   const auto& pivots = form_.y().pivots();
@@ -283,13 +284,13 @@ void ContactEquations<R>::add_gaps() {
     const auto rule = gap.rule();
     std::size_t end = j + 1;
     while (!set.point(end).is_end()) ++end;
-    // x - e_f for a place x of the gap: the distances from its ends, and from there to e_f.
+    // x - e_f for a place x of the gap: its distance from an end of the gap plus the distance from there to e_f.
     const std::vector<R> from_left = form_.distances(beside(set, j, Side::right, R(0)));
     const std::vector<R> from_right = form_.distances(beside(set, end, Side::left, R(0)));
     std::vector<R> beyond;
     for (const std::size_t point : free_) beyond.push_back(point <= j ? from_left[point] : R(-from_right[point]));
     for (const auto& node : rule) {
-      // Over a tiny gap the weight times Y alone may be no number any more.
+      // Divide Y first: for a tiny gap, the weight times Y may be out of range.
       const R to_left = form_.distance(node.at, j);
       const R to_right = -form_.distance(node.at, end);
       for (std::size_t f = 0; f < free_.size(); ++f) {

@@ -14,7 +14,7 @@
 namespace steadyslide::numeric {
 namespace {
 
-/// Places in ]0, 1[, as numerators over 10^9 from the nearer end: next to both ends, and between them.
+/// Places in ]0, 1[, as numerators over 10^9 of the distance from the nearer end: next to both ends, and between them.
 constexpr std::array<int, 8> near_end{1, 1000, 300'000, 3'000'000, 20'000'000, 70'000'000, 150'000'000, 250'000'000};
 
 template <Real R>
@@ -34,7 +34,7 @@ std::vector<SurfacePoint<R>> places(const ContactSet<R>& set, std::size_t segmen
   return result;
 }
 
-/// The same form in double: what it sees to be open needs no more digits.
+/// The same form in double. A gap that is open in double needs no higher precision.
 template <Real R>
 class RoughGaps {
  public:
@@ -43,7 +43,7 @@ class RoughGaps {
         form_(problem_, ContactSet<double>::converted(problem_, form.set()), rounded(form.q()),
               static_cast<double>(form.tilt()), rules_) {}
 
-  /// Is the gap at a place, measured from point `end`, larger by far than what rounding may have done to it?
+  /// True if the gap at a place, measured from point `end`, is much larger than its rounding error.
   bool is_open(std::size_t end, const SurfacePoint<R>& at) {
     const std::vector<double> node = rounded({at.node.x, at.node.from_left, at.node.from_right});
     const Estimate<double> gap =
@@ -80,7 +80,7 @@ class Inspection {
  private:
   using What = typename Violation<R>::What;
 
-  /// Gathers neighbouring places that fail.
+  /// Collects neighbouring places that fail.
   void note(What what, bool fails, const SurfacePoint<R>& at) {
     if (fails) {
       if (!open_) found_.push_back({what, previous_, at});
@@ -108,8 +108,8 @@ class Inspection {
     Estimate<R> b;
   };
 
-  /// Tension between three places of one segment, by parabolas through the highest values: it may be as narrow as it
-  /// likes where contact is about to part.
+  /// Returns the peak of tension between three places of one segment, by parabolas through the highest values. The peak
+  /// may be arbitrarily narrow where contact is about to separate.
   std::optional<Value> peak_beside(Value left, Value middle, Value right) const {
     const std::size_t k = static_cast<std::size_t>(middle.at.segment);
     const auto height = [&](const Value& v) { return form_.sign(v.at.segment) * v.b.value; };
@@ -124,7 +124,7 @@ class Inspection {
       const R curvature = (down + up) / (h + w);
       if (!(curvature > 0)) return std::nullopt;
       const R slope = (down * w - up * h) / (h + w);
-      // Far from zero: nothing to be found.
+      // The peak is far below zero.
       if (top + slope * slope / (4 * curvature) < top / 2) return std::nullopt;
       const R d = middle.at.node.from_left + slope / (2 * curvature);
       Value next{{middle.at.segment, {set_.x(k) + d, d, set_.length(k) - d}}, {}};
@@ -139,15 +139,15 @@ class Inspection {
 
   void inspect_contact(std::size_t first, std::size_t end) {
     begin(first);
-    // t has the sign of eps B, and B costs nothing where one polynomial rules.
+    // t has the sign of eps B. B is cheap if there is only one polynomial.
     const auto inspect = [&](const SurfacePoint<R>& at, const Estimate<R>& b) {
       const R value = form_.sign(at.segment) * b.value;
       note(What::tension, value > 4 * b.error, at);
     };
-    // An edge that pulls, however little, is a free end before it, and an anchor that pulls lies in a gap.
+    // An edge with any tension must become a free end before it. An anchor with tension lies in a gap.
     const auto decide = [&](std::size_t j) {
       const bool pulls = numeric::pulls(form_, j, leading_term(form_, j, end_error_));
-      // A stretch ends at a place, not in the anchor itself.
+      // A stretch ends at a sampled place, not at the anchor itself.
       if (!pulls && !set_.point(j).is_end()) return;
       const bool ends = j == end;
       const std::size_t k = ends ? j - 1 : j;
@@ -162,7 +162,7 @@ class Inspection {
     for (std::size_t k = first; k < end; ++k) {
       decide(k);
       if (k > first && set_.is_at_step(k)) {
-        // Slopes do not show it: the surface would have to jump.
+        // Slopes do not show a step: the surface would have to jump.
         const SurfacePoint<R> at{static_cast<std::ptrdiff_t>(k), {set_.x(k), R(0), set_.length(k)}};
         found_.push_back({What::step, at, at, set_.point(k).anchor});
         open_ = false;
@@ -195,7 +195,7 @@ class Inspection {
       std::vector<SurfacePoint<R>> more = places(set_, k);
       const std::vector<SurfacePoint<R>> extrema = form_.profile_extrema(k);
       more.insert(more.end(), extrema.begin(), extrema.end());
-      // The support's ends, and both sides of steps and corners.
+      // Add the support's ends, and both sides of steps and corners.
       if (k > first || !contact_left) more.push_back(beside(set_, k, Side::right, R(0)));
       if (k + 1 < end || !contact_right) more.push_back(beside(set_, k + 1, Side::left, R(0)));
       std::stable_sort(more.begin(), more.end(), [](const SurfacePoint<R>& a, const SurfacePoint<R>& b) {
@@ -213,7 +213,7 @@ class Inspection {
         rates.push_back(here);
       }
     }
-    // A gap that opens, and at its other end closes, is positive in between: no need to integrate.
+    // A gap that only opens, and then only closes up to its other end, is positive in between. It needs no integration.
     if (!steps) {
       std::size_t i = 0;
       while (contact_left && i < all.size() && rates[i] >= 0) ++i;
@@ -228,7 +228,7 @@ class Inspection {
       const Estimate<R> gap = (left ? from_left : from_right).reduced_gap(all[i]);
       return gap.value < -8 * gap.error;
     };
-    // It is lowest beside a step, at the last places, or where it no longer closes and begins to open.
+    // The gap is lowest beside a step, at the first or last place, or where it stops closing and begins to open.
     const auto turns = [&](std::size_t i) { return !(rates[i] > 0) && !(rates[i + 1] < 0); };
     const auto may_be_lowest = [&](std::size_t i) { return i == 0 || i + 1 == all.size() || turns(i - 1) || turns(i); };
     bool fails = steps;
@@ -248,8 +248,9 @@ class Inspection {
     }
   }
 
-  /// The lowest place of the gap between two of one segment: it closes at the first one and opens at the second one. By the
-  /// rule of false position, the rate of an end that stays twice halved; what is left of the gap is of second order.
+  /// Returns the lowest place of the gap between two places of one segment; the gap closes at the first one and opens
+  /// at the second one. Uses the method of false position; if an end stays twice, its rate is halved. The error of the
+  /// gap is of second order.
   std::optional<SurfacePoint<R>> turn(SurfacePoint<R> closes, R closing, SurfacePoint<R> opens, R opening) const {
     if (closes.segment != opens.segment) return std::nullopt;
     const auto k = static_cast<std::size_t>(closes.segment);
@@ -279,7 +280,7 @@ class Inspection {
   const TractionRepresentation<R>& form_;
   const ContactSet<R>& set_;
   R end_error_;
-  std::unique_ptr<RoughGaps<R>> rough_;  ///< above double, once a gap is asked for
+  std::unique_ptr<RoughGaps<R>> rough_;  ///< in higher precision than double, from the first gap on
   std::vector<Violation<R>> found_;
   bool open_ = false;
   SurfacePoint<R> previous_;

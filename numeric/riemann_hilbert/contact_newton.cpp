@@ -26,7 +26,7 @@ class Newton {
 
   NewtonResult<R> run() {
     constexpr int max_steps = 100;
-    // Within this part of the hull quadratic convergence has left nothing but rounding.
+    // Below this fraction of the hull, after quadratic convergence, only rounding errors remain.
     const R rounding = 8 * epsilon<R>();
     const R lengths_rounding = R(1e4) * epsilon<R>();
     R previous = infinity<R>();
@@ -60,8 +60,9 @@ class Newton {
                                    abs(tilt_step) / std::max(abs(state_.tilt), R(1))});
       if (!(movement < infinity<R>())) break;
       const bool lengths_settled = beside_wedges <= lengths_rounding;
-      // By quadratic convergence a movement m after m_0 is followed by one like m^3/m_0^2, here a thousand times that. In more
-      // digits than double's, where a step is most of the work, that need not be looked at.
+      // With quadratic convergence, a movement m after m_0 is followed by one like m^3/m_0^2; here the limit is a
+      // thousand times that. In higher precision than double, where a step is most of the work, no further step is made
+      // to check this.
       const auto next = [](const R& now, const R& before) {
         return now == 0 ? R(0) : R(1000 * now * (now * now / (before * before)));
       };
@@ -70,11 +71,11 @@ class Newton {
       const bool is_quadratic = !std::same_as<R, double> && part == 1 && std::max(previous, previous_beside) < R(1e-6);
       const bool follows = is_quadratic && left <= rounding && left_beside <= rounding;
       const bool settled = follows || (movement <= rounding && lengths_settled);
-      // Rounding may keep the last steps above that: they are small, and no longer shrink.
+      // Rounding may keep the last steps above this limit: they are small and no longer decrease.
       const bool at_rounding_level = movement < sqrt(epsilon<R>()) && movement >= previous / 2 &&
                                      beside_wedges <= R(1e-3) &&
                                      (lengths_settled || beside_wedges >= previous_beside / 2);
-      // An end that rounding alone drives across an anchor takes part of the step for ever: it is where it belongs.
+      // If only rounding moves an end across an anchor, the step would be shortened forever. The end is at its place.
       if (settled || (part == 1 && at_rounding_level)) {
         if (!linear.is_complete()) break;
         StateErrors<R> rounding = linear.rounding();
@@ -87,7 +88,7 @@ class Newton {
                 std::move(rounding)};
       }
       previous = part == 1 ? movement : infinity<R>();
-      // Orders of magnitude that swing to and fro want shorter steps.
+      // If orders of magnitude oscillate, the steps must be shorter.
       damping_ = beside_wedges > R(0.5) && beside_wedges > previous_beside / 2 ? damping_ * 0.7
                                                                                : std::min(1.5 * damping_, R(1));
       previous_beside = beside_wedges;
@@ -98,15 +99,16 @@ class Newton {
  private:
   R limit(std::size_t k) const { return state_.set.is_over_notch(k) ? problem_.shortest_gap() : limits_[k]; }
 
-  /// The logarithm of the factor of a gap's length over a notch, for the linear step `growth` of that logarithm: what
-  /// is linear is not the logarithm but the traction beside the gap, like length^-beta.
+  /// Returns the change of the logarithm of the length of a gap over a notch, for its linear step `growth`. The
+  /// traction beside the gap, which is like length^-beta, is linear; the logarithm is not.
   R notch_step(const R& growth, const R& beta) const {
     const R part = std::max(-beta * growth, R(-0.99));
     return std::clamp(beta == 0 ? growth : -log1p(part) / beta, R(-30), R(6)) * damping_;
   }
 
-  /// The steps of both ends of a gap over a notch, for linear steps of its halves. The logarithm of its length follows
-  /// notch_step; how it is divided belongs to the corner and changes little. Returns the larger one of both changes.
+  /// Computes the steps of both ends of a gap over a notch, from linear steps of its halves. The logarithm of its
+  /// length follows notch_step. The ratio of its halves depends on the corner and changes little. Returns the larger of
+  /// both changes.
   R follow_gap(std::size_t end, R& left_step, R& right_step) const {
     const R& left = state_.set.length(end);
     const R& right = state_.set.length(end + 1);
@@ -122,8 +124,8 @@ class Newton {
     return std::max(abs(growth), R(abs(shift) / std::min(part, R(1 - part))));
   }
 
-  /// Steps of such ends, and of gaps over notches, are steps of log l. Returns the largest of them, and of what others
-  /// change in such lengths and in short gaps beside steps, relative.
+  /// Steps of such ends, and of gaps over notches, are steps of log l. Returns the largest of these steps, and of the
+  /// relative changes that other ends cause in such lengths and in short gaps beside steps.
   R follow_lengths(std::vector<R>& ends) {
     R largest = 0;
     R others = 0;
@@ -153,7 +155,7 @@ class Newton {
     return std::max(largest, others);
   }
 
-  /// Has one end been the most restless for many steps, and is now about where it was?
+  /// True if one end has moved most for many steps, and is now near its earlier position.
   bool goes_in_circles(const R& beside_wedges) {
     constexpr int many_steps = 24;
     if (!restless_ || beside_wedges < R(0.1)) {
@@ -169,8 +171,8 @@ class Newton {
     return ++watched_steps_ > many_steps && abs(log(length / watched_length_)) < 3;
   }
 
-  /// How much of the step leaves every segment a tenth of its length at least, and the segment that says so. The length
-  /// beyond a break counts as admissible until it is below its limit.
+  /// Returns the largest part of the step that leaves every segment at least a tenth of its length, and the segment
+  /// that limits it. A length beyond a break does not limit the step until it is below its limit.
   std::pair<R, std::size_t> admissible_part(const std::vector<R>& ends) const {
     std::vector<R> change(state_.set.segments(), R(0));
     for (std::size_t f = 0; f < free_.size(); ++f) {
@@ -188,7 +190,7 @@ class Newton {
     R part = 1;
     std::size_t tightest = 0;
     for (std::size_t k = 0; k < change.size(); ++k) {
-      // Both ends of it together may take more than there is.
+      // Both ends together may shorten the segment by more than its length.
       if (!(change[k] < 0) || (by_order[k] && -change[k] < state_.set.length(k))) continue;
       const R allowed = -R(0.9) * state_.set.length(k) / change[k];
       if (allowed < part) {
@@ -213,10 +215,10 @@ class Newton {
   JacobiRules<R>& rules_;
   std::vector<std::size_t> free_;
   std::optional<std::size_t> restless_;
-  std::optional<std::size_t> watched_;  ///< as long as it is the restless one
-  R watched_length_ = 0;                ///< where it began to be
+  std::optional<std::size_t> watched_;  ///< the end that has moved most for several steps
+  R watched_length_ = 0;                ///< its length when that began
   int watched_steps_ = 0;
-  R damping_ = 1;  ///< of steps over notches
+  R damping_ = 1;  ///< factor of steps over notches
 };
 
 }  // namespace

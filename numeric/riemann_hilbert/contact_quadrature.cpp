@@ -8,10 +8,10 @@
 namespace steadyslide::numeric {
 namespace {
 
-/// More numbers than this are not kept of all densities.
+/// All densities are kept up to this many numbers.
 constexpr std::size_t most_kept = 4'000'000;
 
-/// After so many sums over all sources, moments of them cost no more.
+/// After this number of sums over all sources, moments are not more expensive.
 constexpr std::size_t worth_while = 48;
 
 /// Subtracts term x^j from entry j.
@@ -23,14 +23,14 @@ void subtract_powers(std::vector<Estimate<R>>& moments, Estimate<R> term, const 
   }
 }
 
-/// What is left of int_0^1 y^a/(y + d) dy as d -> 0 without its singular term: -pi d^a/sin(pi a); -log(d length) at a =
-/// 0.
+/// Returns the limit of int_0^1 y^a/(y + d) dy for d -> 0 without its singular term, which is -pi d^a/sin(pi a), or
+/// -log(d length) for a = 0.
 template <Real R>
 R regular_second_kind(const Power<R>& a, const R& length) {
   return a.value == 0 ? log(length) : 1 / a.value;
 }
 
-/// eps cos(pi alpha), eps of Y itself.
+/// Returns eps cos(pi alpha), where eps is that of Y.
 template <Real R>
 R common_factor(const SignedFundamentalSolution<R>& y, std::size_t segment) {
   const R own = y.traction_factor(segment);
@@ -53,7 +53,7 @@ ContactQuadrature<R>::ContactQuadrature(const SignedFundamentalSolution<R>& y, J
   for (std::size_t segment = 0; segment < set.segments(); ++segment) {
     first_panel_.push_back(panels_.size());
     if (!set.in_contact(segment)) continue;
-    // Without pivots, and beyond all of them, Y is the Y_i of its component.
+    // Y is the Y_i of the component, without pivots and for all components beyond them.
     const R amplitude = common_factor(y, segment);
     for (const JacobiPanel<R>& panel :
          jacobi_panels<R>(y, whole_segment(set, segment), SmoothFactor::polynomial, power_at, rules)) {
@@ -231,7 +231,7 @@ Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t s
   const std::size_t count = rule.size();
   const R gap = between + (panel_is_right ? part.from_left : part.from_right);
   R sum = 0;
-  double size = 0;  // sizes need no more digits
+  double size = 0;  // double is sufficient for sizes
   if (2 * gap >= part.length) {
     if (const DistantSum<R>* distant = distant_sum(panel, slope, density)) {
       sum = distant->value(gap / part.length, !panel_is_right) / part.length;
@@ -249,20 +249,21 @@ Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t s
       }
     }
   } else {
-    // phi(y) y^a over the unit interval, y from the end that faces the point, where the power sits if there is any:
-    // int y^a (phi(y) - phi(-d))/(y + d) + phi(-d) int y^a/(y + d), exactly the function of the second kind.
+    // Integrate phi(y) y^a over the unit interval. y is measured from the end that faces the point; a power is at this
+    // end: int y^a (phi(y) - phi(-d))/(y + d) + phi(-d) int y^a/(y + d), the last integral is the function of the
+    // second kind.
     const R d = gap / part.length;
     const auto facing = static_cast<std::size_t>(panel_is_right ? part.segment : part.segment + 1);
     const R& p = y_->highest_power(facing).value;
-    // At the end itself d^-p/|Y| is known by its limit.
+    // At the end itself d^-p/|Y| is replaced by its limit.
     R phi = gap == 0 ? 1 / (y_->amplitude(facing) * pow(part.length, p)) : 1 / y_->modulus(at);
     if (gap > 0 && p != 0) phi *= pow(d, p);
-    // y^a phi has a power higher than a by one if that is not the power of 1/|Y_i| there.
+    // If a is not the power of 1/|Y_i| at this end, the power of y^a phi is a + 1.
     if (y_->power(facing, component).value < p) phi = gap == 0 ? R(0) : R(-phi);
     const RoundedProblem<R>& problem = y_->problem();
     const std::size_t own = y_->slope_at(part.segment);
     phi *= y_->traction_factor(part.segment, component);
-    // Near a break g - g_k is a small difference: what counts is the rounding of both.
+    // Near a break g - g_k is a small difference, so the rounding of both terms matters.
     const auto slope_size = [&](const R& x) { return (problem.slope_size(own, x) + problem.slope_size(slope, x)) / 4; };
     const double phi_size = abs(static_cast<double>(phi)) * slope_size(at.node.x);
     phi *= problem.slope(own, at.node.x) - problem.slope(slope, at.node.x);

@@ -21,7 +21,8 @@ namespace steadyslide::numeric {
 
 class NodeLine;
 
-/// A node's part of an integral of g: what has been rounded is g, the weight and the distance from a point.
+/// The contribution of a node to an integral of g. Its rounding errors come from g, the weight and the distance from a
+/// point.
 template <Real R>
 Estimate<R> node_term(const R& factor, const Estimate<R>& g) {
   return factor * g.widened(8 * epsilon<R>());
@@ -30,69 +31,72 @@ Estimate<R> node_term(const R& factor, const Estimate<R>& g) {
 template <Real R>
 class ContactQuadrature {
  public:
-  /// Both have to outlive it. No panels where one polynomial rules over one component: all integrals are 0 then.
+  /// Both arguments must outlive this object. There are no panels if there is one component with one polynomial: then
+  /// all integrals are 0.
   ContactQuadrature(const SignedFundamentalSolution<R>& y, JacobiRules<R>& rules);
 
-  /// Are all integrals 0 since one polynomial rules over one component?
+  /// True if all integrals are 0, because there is one component with one polynomial.
   bool vanishes() const { return panels_.empty(); }
-  /// The first integral at a point off the pieces where g_k does not hold, |Y| being that of the component the point
-  /// belongs to; its error is the sum of the sizes added.
+  /// Returns the first integral at a point outside the pieces with another polynomial than g_k. |Y| is that of the
+  /// point's component. The error is the sum of the absolute values of the terms.
   Estimate<R> cauchy(std::size_t slope, const SurfacePoint<R>& at) const;
-  /// -(1/pi) times the second one for j = 0, 1, ...
+  /// Returns -(1/pi) times the second integral for j = 0, 1, ...
   std::vector<Estimate<R>> moments(const R& tilt, std::size_t count) const;
   /// Adds -(1/pi) int eps cos(pi alpha) (g - g_k)/|Y| xi^j to moments[j].
   void add_difference_moments(std::size_t slope, std::vector<Estimate<R>>& moments) const;
-  /// -(1/pi) int eps cos(pi alpha) (g + tilt)/(|Y| (xi - e_i)), e_i the pivot of a component.
+  /// Returns -(1/pi) int eps cos(pi alpha) (g + tilt)/(|Y| (xi - e_i)), where e_i is the pivot of a component.
   Estimate<R> pivot_moment(std::size_t component, const R& tilt) const;
 
  private:
   struct Panel {
     JacobiPanel<R> rule;
-    std::size_t first;  ///< of its nodes
+    std::size_t first;  ///< its first node
   };
 
-  /// eps cos(pi alpha) (g - g_k)/|Y_i| times the rule's weight, at every node of the contact, or at some from one on, the
-  /// weights given.
+  /// Returns eps cos(pi alpha) (g - g_k)/|Y_i| times the rule's weight, at every node of the contact; the other
+  /// overload takes the weights of consecutive nodes.
   const std::vector<R>& density(std::size_t slope, std::size_t component = 0) const;
   std::vector<R> density(std::size_t slope, const R* weights, std::size_t first, std::size_t count) const;
   std::size_t first_node(std::size_t segment) const {
     return first_panel_[segment] < panels_.size() ? panels_[first_panel_[segment]].first : nodes_.size();
   }
-  /// xi - e at the nodes of segments first..end-1.
+  /// Returns xi - e at the nodes of the segments first..end-1.
   std::vector<R> distances_to(std::size_t point, std::size_t first, std::size_t end) const;
-  /// The weights of these nodes times (xi - e_i)^-sigma_i.
+  /// Returns the weights of these nodes times (xi - e_i)^-sigma_i.
   std::vector<R> weights_beside(std::size_t component, std::size_t first, std::size_t end) const;
-  /// With the weights and the density at the panel's nodes.
+  /// Takes the weights and the density at the panel's nodes.
   Estimate<R> panel_cauchy(const Panel& panel, std::size_t slope, std::size_t component, const SurfacePoint<R>& at,
                            const R& between, const R* weights, const R* density) const;
-  /// Over the segments first..end-1 one by one, with the weights and the density at their nodes.
+  /// Sums over the segments first..end-1 one by one, with the weights and the density at their nodes.
   Estimate<R> sum_of_panels(std::size_t slope, std::size_t component, const SurfacePoint<R>& at, std::size_t first,
                             std::size_t end, const std::vector<R>& weights, const std::vector<R>& density) const;
 
-  /// A panel's sum for points far away from it, above double and without pivots, once it has been asked for so often that
-  /// moments are worth while; null before.
+  /// Returns a panel's moments for far points, in higher precision than double and without pivots. Null until the
+  /// number of calls is so large that moments pay off.
   const DistantSum<R>* distant_sum(const Panel& panel, std::size_t slope, const R* density) const;
-  /// The same of a segment with many panels, for places beyond that end of it.
+  /// The same for a segment with many panels, for places beyond that end of the segment.
   GradedSum<R>* graded_sum(std::size_t segment, Side end, std::size_t slope, const R* density) const;
 
-  /// With pivots: what segments far from a segment do in it, or in that half of it that belongs to one component.
+  /// With pivots: the sum of far segments, as a series in a segment, or in the half of it that belongs to one
+  /// component.
   struct Local {
     std::ptrdiff_t segment = -1;
     std::size_t component = 0;
     std::size_t slope = 0;
     std::size_t asked = 0;
-    R begin = 0;  ///< of the half
+    R begin = 0;  ///< start of the half
     R length = 0;
-    std::vector<char> is_far;  ///< of each segment
+    std::vector<char> is_far;  ///< for each segment
     LocalSum<R> sum;
   };
-  /// The one for a place, above double, once so many places in a row have asked for it that it is worth while; null before.
+  /// Returns the series for a place, in higher precision than double. Null until the number of consecutive places in
+  /// the same segment is so large that the series pays off.
   const Local* local_sum(std::size_t slope, std::size_t component, const SurfacePoint<R>& at,
                          const std::vector<R>& density) const;
 
-  // In double, panels far away by cells (contact_quadrature_cells.cpp).
+  // In double, far panels are summed by cells (contact_quadrature_cells.cpp).
   struct Cells;
-  /// Once the panels have been asked for so often that cells are worth while; null before, and for few panels.
+  /// Returns the cells; null for few panels, and until the number of sums is so large that cells pay off.
   Cells* cells() const requires std::same_as<R, double>;
   NodeLine node_line(std::size_t first, std::size_t end,
                      std::span<const R> weights) const requires std::same_as<R, double>;
@@ -105,23 +109,23 @@ class ContactQuadrature {
 
   const SignedFundamentalSolution<R>* y_;
   std::vector<Panel> panels_;
-  std::vector<std::size_t> first_panel_;  ///< of each segment, and one more
+  std::vector<std::size_t> first_panel_;  ///< for each segment; one entry more than segments
   std::vector<SurfacePoint<R>> nodes_;
   std::vector<R> node_weights_;
-  /// Over all that is made when first asked for: places of one solution may be asked for by several threads.
+  /// Protects all data that is computed at first use, because several threads may evaluate places of one solution.
   std::shared_ptr<std::mutex> making_ = std::make_shared<std::mutex>();
-  mutable std::vector<std::vector<R>> densities_;  ///< made when first asked for: not all are; of many only the last
+  mutable std::vector<std::vector<R>> densities_;  ///< computed at first use; of many, only the last is kept
   struct DistantPanel {
     std::size_t asked = 0;
     DistantSum<R> sum;
   };
-  mutable std::vector<std::vector<DistantPanel>> distant_;  ///< of each slope, panel by panel
+  mutable std::vector<std::vector<DistantPanel>> distant_;  ///< for each slope, panel by panel
   struct GradedSegment {
     std::size_t asked = 0;
     GradedSum<R> sum;
   };
-  mutable std::map<std::tuple<std::size_t, std::size_t, Side>, GradedSegment> graded_;  ///< by slope, segment, end
-  // With pivots those of the place asked for last: neighbours follow each other.
+  mutable std::map<std::tuple<std::size_t, std::size_t, Side>, GradedSegment> graded_;  ///< by slope, segment and end
+  // With pivots: the data of the last place, because consecutive places are usually neighbours.
   mutable std::size_t last_component_ = 0;
   mutable std::size_t last_slope_ = 0;
   mutable std::vector<R> last_weights_;

@@ -1,4 +1,4 @@
-// Panels far away from a place, by cells, in double.
+// Sums over panels far from a place, by cells, in double.
 
 #include <algorithm>
 #include <cmath>
@@ -10,17 +10,17 @@ namespace steadyslide::numeric {
 
 template <Real R>
 struct ContactQuadrature<R>::Cells {
-  /// The nodes of one component with its own weights; without pivots there is one of all.
+  /// The nodes with the weights of one component. Without pivots there is one such object for all components.
   struct Own {
     NodeLine::Segments segments;
     std::vector<double> weights;
     std::size_t first_node;
-    std::unique_ptr<const DistantNodes> far;  ///< null for few panels
-    // For few of them the density of the slope asked for last.
+    std::unique_ptr<const DistantNodes> far;  ///< null if there are few panels
+    // For few panels: the density of the last slope.
     std::size_t slope;
     std::vector<double> density;
   };
-  std::vector<std::unique_ptr<Own>> own;       ///< made when first asked for
+  std::vector<std::unique_ptr<Own>> own;       ///< computed at first use
   std::unique_ptr<const PivotedNodes> others;  ///< null without pivots
 };
 
@@ -38,7 +38,8 @@ NodeLine ContactQuadrature<R>::node_line(std::size_t first, std::size_t end,
 
 template <Real R>
 typename ContactQuadrature<R>::Cells* ContactQuadrature<R>::cells() const requires std::same_as<R, double> {
-  // Sums over all panels that cost about as much as the cells for all places; with pivots every solution has more.
+  // The number of sums over all panels that costs as much as the cells for all places. With pivots every solution needs
+  // more sums.
   constexpr std::size_t direct_evaluations = 500;
   if (cells_ || panels_.size() < hierarchical::fewest_panels) return cells_.get();
   const std::size_t components = y_->pivots().size();
@@ -76,12 +77,12 @@ Estimate<R> ContactQuadrature<R>::cauchy_by_cells(Cells& cells, std::size_t slop
   const auto is_right = [&at](const Panel& panel) {
     return at.segment < static_cast<std::ptrdiff_t>(panel.rule.part.segment);
   };
-  // From a panel's nearer end back to that of its segment.
+  // The distance from a panel's nearer end to the end of its segment.
   const auto start = [&](const Panel& panel) {
     return is_right(panel) ? panel.rule.part.from_left : panel.rule.part.from_right;
   };
   Estimate<R> total{0, 0};
-  // A panel that is near, with the weights at its nodes.
+  // Adds a near panel, with the weights at its nodes.
   const auto add = [&](const Panel& panel, double gap, const R* weights) {
     if (y_->slope_at(panel.rule.part.segment) == slope) return;
     const std::vector<R> f = density(slope, weights, panel.first, panel.rule.rule->size());
@@ -139,7 +140,7 @@ Estimate<R> ContactQuadrature<R>::pivot_moment_by_cells(const Cells& cells, std:
   return -(sum + Estimate<R>{others.value, 8 * epsilon<R>() * others.error}) / pi<R>();
 }
 
-/// xi - e at a node, from the distance of the panel's end that is nearer to e.
+/// Returns xi - e at a node, computed from the distance of the panel's end that is nearer to e.
 template <Real R>
 R ContactQuadrature<R>::node_distance(const Panel& panel, std::size_t i, bool is_right, const R& to_panel) const {
   const SegmentPart<R>& part = panel.rule.part;

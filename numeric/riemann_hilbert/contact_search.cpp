@@ -18,7 +18,8 @@ class Search {
       : problem_(problem), rules_(rules), state_(std::move(start)) {}
 
   SearchResult<R> run() {
-    // A search with more digits starts from the result in double. If it is long, an end moves back and forth for ever.
+    // A search in higher precision starts from the result in double. A long search means that an end moves back and
+    // forth forever.
     constexpr int max_rounds = std::same_as<R, double> ? 60 : 20;
     std::string why = "the contact set kept changing";
     for (int round = 0; round < max_rounds; ++round) {
@@ -63,18 +64,19 @@ class Search {
   using Set = ContactSet<R>;
   using What = typename Violation<R>::What;
 
-  /// The state, its free ends known up to `error`.
+  /// Returns the state; `error` is the error of its free ends.
   SearchResult<R> result(std::string failed_condition, const R& error) const {
     const R distance = std::max(error, epsilon<R>() * state_.set.span_length());
     return {state_, {{distance, R(1), R(1)}}, std::move(failed_condition)};
   }
 
-  /// Where a gap over a notch has not been found, contact there is the best state: what is wrong with it has a name.
+  /// If a gap over a notch was not found, the state with contact there is the best one, and its violated condition has
+  /// a name.
   SearchResult<R> failure(std::string why, const R& step) const {
     return before_gap_ ? *before_gap_ : result(std::move(why), step);
   }
 
-  /// The first anchor that pulls, as a number, if there is one.
+  /// Returns a message with the first anchor that has tension, if there is one.
   static std::string in_words(const TractionRepresentation<R>& form, const std::vector<Violation<R>>& found,
                               const R& end_error) {
     for (const Violation<R>& v : found) {
@@ -91,9 +93,9 @@ class Search {
     return tension ? "the traction pulls in part of the contact" : "the surfaces penetrate outside the contact";
   }
 
-  /// An end that wants to cross an anchor may do so from this distance; every crossing makes the next one harder, so
-  /// that an end very near the anchor is approached and not jumped over for ever. The same with gaps that close, and with
-  /// components that vanish: contact at a corner begins with nothing.
+  /// Returns the distances from an anchor within which an end may cross it. Every crossing reduces the distance, so
+  /// that an end very close to the anchor converges and does not jump over it forever. The same holds for gaps that
+  /// close and for components that vanish, because contact at a corner begins with length 0.
   std::vector<R> limits() const {
     const Set& set = state_.set;
     const R hull = set.span_length();
@@ -116,7 +118,7 @@ class Search {
     return result;
   }
 
-  /// The gap beside a step: whatever its length, it cannot close, nor can contact cross it.
+  /// True for the gap beside a step. It cannot close for any length, and contact cannot cross it.
   bool cannot_vanish(std::size_t k) const {
     const Set& set = state_.set;
     if (set.in_contact(k)) return false;
@@ -127,7 +129,8 @@ class Search {
     return stays(k, k + 1) || stays(k + 1, k);
   }
 
-  /// False, and nothing changes, if the set makes no sense: two changes at once got into each other's way.
+  /// Returns false and changes nothing if the set is inconsistent, because two simultaneous changes contradict each
+  /// other.
   bool renew(Set set) {
     if (!set.is_consistent()) return false;
     state_ = ContactState<R>::initial(problem_, std::move(set), state_.tilt);
@@ -143,7 +146,7 @@ class Search {
     const Side towards = left_moves ? Side::right : Side::left;
     if (set.is_over_notch(k)) {
       const std::size_t begin = left_moves ? k : k - 1;
-      // Both halves as short as can be: there is no gap, or a shorter one, which is not to be found.
+      // If both halves are about as short as the shortest gap, there is no gap, or a shorter one that cannot be found.
       if (std::max(set.length(begin), set.length(begin + 1)) > R(1e6) * problem_.shortest_gap())
         return cross(j, towards);
       vanished_.insert(*set.point(begin + 1).anchor);
@@ -167,8 +170,9 @@ class Search {
     return renew(std::move(set));
   }
 
-  /// Contact that ends just beyond a notch pulls in it, and there may be no length that Newton's method could find for what
-  /// lies beyond: a gap over the notch and a component behind it. False where the end j is no such end.
+  /// Contact that ends just beyond a notch has tension in the notch, and Newton's method may find no length for the
+  /// part beyond it. Then there are a gap over the notch and a component behind it. Returns false if the end j is not
+  /// such an end.
   bool open_notch_at(std::size_t j) {
     Set set = state_.set;
     const std::size_t notch = set.neighbour(j);
@@ -192,8 +196,8 @@ class Search {
     return true;
   }
 
-  /// Free ends that have come to lie on a friction jump but for rounding are there. Not on a wedge: a contact that
-  /// reaches beyond it by a length l carries a load of the order of l^(1/2 - |alpha|), much though l may be nothing.
+  /// Moves a free end to a friction jump if the distance is within rounding. It does not do so at a wedge: contact that
+  /// reaches beyond a wedge by a length l carries a load of order l^(1/2 - |alpha|), which matters even for a tiny l.
   void snap() {
     const R rounding = 4 * epsilon<R>() * state_.set.span_length();
     for (const std::size_t j : state_.set.movable()) {
@@ -213,7 +217,7 @@ class Search {
     if (std::any_of(found.begin(), found.end(),
                     [&](const auto& v) { return v.anchor && vanished_.count(*v.anchor) != 0; }))
       return false;
-    // From right to left: indices on the left stay.
+    // From right to left, so that indices on the left stay valid.
     for (std::size_t i = found.size(); i-- > 0;) {
       const Violation<R>& v = found[i];
       if (v.what == What::penetration) {
@@ -239,13 +243,13 @@ class Search {
   void add_component(Set& set, const Violation<R>& v) {
     const SegmentPlace from = place(v.from);
     const SegmentPlace to = place(v.to);
-    // Contact takes less than what penetrates: the middle.
+    // The new contact is shorter than the interval of penetration: take its middle.
     const bool together = from.segment == to.segment;
     const SegmentPlace first_end = together ? to : SegmentPlace{from.segment, from.from_left + from.from_right, R(0)};
     const SegmentPlace last_end = together ? from : SegmentPlace{to.segment, R(0), to.from_left + to.from_right};
     const R part = together ? 0.25 : 0.5;
     set.open(between(from, first_end, part), between(to, last_end, part));
-    // A corner that penetrates is the first to touch: indices are those of the new points and of the corners.
+    // A corner that penetrates touches first. The indices refer to the new points and to the corners.
     const std::size_t right = to.segment + 3, left = from.segment;
     if (to.from_right == 0 && is_corner(set, End::right, right)) set.attach_to_anchor(right - 1, Side::right, false);
     if (from.from_left == 0 && is_corner(set, End::left, left)) set.attach_to_anchor(left + 1, Side::left, false);
@@ -255,8 +259,8 @@ class Search {
     return set.point(j).anchor && !set.point(j).is_end() && problem_.edge_possible(end, *set.point(j).anchor);
   }
 
-  /// A gap over an anchor that pulls much less far than to the next anchors and ends: as far to both sides, since by the
-  /// law of its corner alone a gap has no long and short side.
+  /// Opens a gap over an anchor with tension, if the tension reaches much less far than the next anchors and ends. The
+  /// gap is equally long on both sides, because the law of the corner is symmetric.
   static bool open_over(Set& set, const Violation<R>& v) {
     if (!v.log_reach) return false;
     const std::size_t j = set.point_of(*v.anchor);
@@ -268,7 +272,7 @@ class Search {
     return true;
   }
 
-  /// A gap beside a step, on the side that recedes; on the other one contact ends at the step.
+  /// Opens a gap beside a step, on the side that recedes. On the other side contact ends at the step.
   void open_beside_step(Set& set, std::size_t anchor) {
     const std::size_t j = set.point_of(anchor);
     const bool left_recedes = problem_.edge_possible(End::left, anchor);
@@ -289,7 +293,7 @@ class Search {
       set.remove_interval(from.segment);
       return true;
     }
-    // An end with tension beside it goes to where the tension stops.
+    // An end with tension beside it moves to the place where the tension stops.
     if (at_left) {
       set.move_end(from.segment, to.segment, std::min(to.from_left, set.length(to.segment) * R(0.9)));
     } else if (at_right) {
@@ -304,11 +308,11 @@ class Search {
   JacobiRules<R>& rules_;
   ContactState<R> state_;
   std::optional<SearchResult<R>> before_gap_;
-  std::set<std::size_t> vanished_;        ///< anchors over which a gap became shorter than the shortest
-  std::set<std::size_t> opened_at_ends_;  ///< anchors that open_notch_at() has seen
+  std::set<std::size_t> vanished_;        ///< anchors over which a gap became shorter than the shortest gap
+  std::set<std::size_t> opened_at_ends_;  ///< anchors that open_notch_at() has treated
   std::map<std::size_t, int> crossings_;
   int closings_ = 0;
-  int removals_ = 0;  ///< of components that vanished
+  int removals_ = 0;  ///< number of components that vanished
 };
 
 }  // namespace

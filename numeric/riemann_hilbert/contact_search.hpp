@@ -1,6 +1,6 @@
 #pragma once
-// Finds the contact set: Newton's method for the ends, then every inequality; where one fails, or where an end runs
-// into a jump, an edge or another end, the set changes and Newton's method goes on.
+// Finds the contact set. Newton's method finds the ends, then every inequality is checked. If one fails, or if an end
+// reaches a jump, an edge or another end, the set changes and Newton's method continues.
 
 #include <string>
 #include <vector>
@@ -14,13 +14,13 @@ template <Real R>
 struct SearchResult {
   ContactState<R> state;
   StateErrors<R> errors;
-  std::string failed_condition;  ///< empty: every condition holds
+  std::string failed_condition;  ///< empty if every condition holds
   std::vector<HairlineGap<R>> hairline_gaps = {};
 
   bool solved() const { return failed_condition.empty(); }
 };
 
-/// From a set that may be wrong in place and in kind.
+/// Starts from a set whose ends may be at wrong places and of wrong kinds.
 template <Real R>
 SearchResult<R> search_contact(const RoundedProblem<R>& problem, ContactState<R> start, JacobiRules<R>& rules);
 

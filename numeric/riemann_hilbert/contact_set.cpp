@@ -19,7 +19,7 @@ ContactSet<R>::ContactSet(const RoundedProblem<R>& problem) : problem_(&problem)
 template <Real R>
 ContactSet<R>::ContactSet(const RoundedProblem<R>& problem, const std::vector<ContactInterval>& zones)
     : ContactSet(problem) {
-  // Ends follow each other: a guess that rounding has put before the last one comes after it.
+  // Ends must be in order: if rounding has put a guess before the last end, it comes after it.
   std::size_t last = 0;
   const auto edge_next_to = [&](double x) {
     std::optional<std::size_t> best;
@@ -36,7 +36,7 @@ ContactSet<R>::ContactSet(const RoundedProblem<R>& problem, const std::vector<Co
       last = *edge;
       return;
     }
-    // A guess on an anchor is moved off it, into the contact: on which side the end lies is to be found out.
+    // A guess at an anchor is moved off it, into the contact. The search decides on which side the end lies.
     std::size_t k = std::min(last, segments() - 1);
     const R place = R(x);
     while (k + 1 < segments() && place >= x_[k + 1]) ++k;
@@ -65,7 +65,7 @@ ContactSet<R>::ContactSet(const RoundedProblem<R>& problem, const std::vector<Co
 
 template <Real R>
 void ContactSet<R>::refresh() {
-  // Between two anchors the lengths add up to what is exact: the longest takes what rounding has left over.
+  // Between two anchors the sum of the lengths must be the exact distance. The longest length takes the rounding error.
   std::size_t first = 0;
   for (std::size_t j = 1; j < points_.size(); ++j) {
     if (!points_[j].anchor) continue;
@@ -112,10 +112,10 @@ void ContactSet<R>::refresh() {
 
 template <Real R>
 void ContactSet<R>::place_points() {
-  // A place follows from the nearer anchor, by way of the points between. If both are a long way off, the place is kept
-  // as it is, and those of the points beside it follow.
-  // A contact that fits its frame is about one unit long: what is longer than this reaches to something far
-  // away, and the place that would follow from there keeps only the digits that so long a sum has left.
+  // A place is computed from the nearer anchor and the lengths in between. If both anchors are far away, the place is
+  // kept, and the places of the points beside it follow from it.
+  // A contact that fits its frame has a length of about 1. A longer length reaches to something far away, and a place
+  // computed from there would lose digits in the long sum.
   const R longest_local = 4;
   const std::size_t count = points_.size();
   std::vector<R> from_left(count, infinity<R>());
@@ -140,7 +140,7 @@ void ContactSet<R>::place_points() {
   for (std::size_t j = count - 1; j-- > 0;) {
     if (!points_[j].anchor && from_right[j] < from_left[j]) x_[j] = x_[j + 1] - lengths_[j];
   }
-  // And a long way follows from its places.
+  // A long length follows from its places.
   for (std::size_t k = 0; k < lengths_.size(); ++k) {
     if (lengths_[k] > longest_local && !(points_[k].anchor && points_[k + 1].anchor)) lengths_[k] = x_[k + 1] - x_[k];
   }
@@ -226,7 +226,7 @@ bool ContactSet<R>::is_beside_step(std::size_t j) const {
 
 template <Real R>
 R ContactSet<R>::displacement(std::size_t j, const EndErrors<R>& errors) const {
-  // Over a notch both ends move together: it is the gap's logarithm that has an error.
+  // Over a notch both ends move together: the error is that of the logarithm of the gap.
   const R part = counts_by_order(j) ? std::min(errors.part, errors.length) : errors.part;
   return std::min(errors.distance, R(part * std::min(length(j - 1), length(j))));
 }
@@ -244,7 +244,7 @@ void ContactSet<R>::move(const std::vector<R>& steps) {
 
 template <Real R>
 void ContactSet<R>::insert(std::size_t segment, const R& from_left, Point point) {
-  // Of a segment much longer than the contact only the places know what is left of it.
+  // The new length of a segment much longer than the contact must be computed from the places.
   const bool by_places = lengths_[segment] > 4;
   const R x = from_left <= lengths_[segment] / 2 || by_places ? x_[segment] + from_left
                                                               : x_[segment + 1] - (lengths_[segment] - from_left);
@@ -279,7 +279,7 @@ void ContactSet<R>::cross_anchor(std::size_t j, Side towards, const R& distance)
   const Point end{std::nullopt, points_[j].kind, true};
   erase(j);
   if (towards == Side::left) {
-    // The anchor was j - 1 and still is.
+    // The index of the anchor stays j - 1.
     const R d = std::min(distance, lengths_[j - 2] / 2);
     insert(j - 2, lengths_[j - 2] - d, d, x_[j - 1] - d, end);
   } else {
@@ -301,7 +301,7 @@ template <Real R>
 void ContactSet<R>::move_end(std::size_t j, std::size_t segment, const R& from_left) {
   const Point end{std::nullopt, points_[j].kind, true};
   if (!points_[j].anchor && (segment == j || segment + 1 == j)) {
-    // Beside a long segment a short one is not formed as a difference.
+    // Beside a long segment, a short one must not be computed as a difference.
     const R step = segment == j ? from_left : from_left - lengths_[j - 1];
     lengths_[j - 1] = segment == j ? lengths_[j - 1] + step : from_left;
     lengths_[j] -= step;

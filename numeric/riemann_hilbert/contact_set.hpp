@@ -1,7 +1,7 @@
 #pragma once
-// Where there is contact: the support's line of points from its left to its right end (anchors of the reduced problem
-// and free ends of contact), with the length between neighbours. Lengths are what is known: ends that come close to
-// each other or to an anchor keep their distance to full relative precision.
+// The contact set: the points of the support from its left to its right end (anchors of the reduced problem and free
+// ends of contact), with the length between neighbours. The lengths are the primary data. So the distance between close
+// ends, or between an end and an anchor, has full relative precision.
 
 #include <algorithm>
 #include <cstddef>
@@ -14,20 +14,20 @@
 
 namespace steadyslide::numeric {
 
-/// How well free ends are known.
+/// The errors of free ends.
 template <Real R>
 struct EndErrors {
-  R distance;  ///< absolute, in xi,
-  R part = 1;  ///< but by no more than this part of the length beside them;
-  R length;    ///< and this part, where that length counts by its order of magnitude
+  R distance;  ///< absolute error in xi,
+  R part = 1;  ///< but at most this fraction of the length beside the end
+  R length;    ///< relative error of a length that counts by its order of magnitude
 };
 
-/// How well a solution on its contact set is known (contact_newton.hpp).
+/// The errors of a solution on its contact set (contact_newton.hpp).
 template <Real R>
 struct StateErrors {
   EndErrors<R> ends;
   R tilt = 0;                      ///< in units of c
-  std::vector<R> polynomial = {};  ///< of r's coefficients; with pivots of dtheta_i/pi, of each pole. Empty: none
+  std::vector<R> polynomial = {};  ///< of the coefficients of r; with pivots, of dtheta_i/pi for each pole; empty: 0
 };
 
 template <Real R>
@@ -42,93 +42,97 @@ class ContactSet {
 
     bool is_end() const { return kind != Kind::interior; }
     bool is_free() const { return is_end() && vanishes; }
-    /// Free, and not at an anchor.
+    /// True for a free end that is not at an anchor.
     bool is_movable() const { return is_free() && !anchor; }
   };
 
-  /// No contact yet.
+  /// A set without contact.
   explicit ContactSet(const RoundedProblem<R>& problem);
-  /// Zones in xi; an end `at_edge` lies at the anchor next to it.
+  /// Takes zones in xi. An end with `left_at_edge` or `right_at_edge` lies at the anchor next to it.
   ContactSet(const RoundedProblem<R>& problem, const std::vector<ContactInterval>& zones);
-  /// The same set in another type of number; `problem` is the same one in it.
+  /// Takes the same set in another number type. `problem` is the same problem in the new type.
   template <Real Other>
   static ContactSet converted(const RoundedProblem<R>& problem, const ContactSet<Other>& other);
 
   const std::vector<Point>& points() const { return points_; }
   const Point& point(std::size_t j) const { return points_[j]; }
-  /// The point where anchor k is.
+  /// Returns the index of the point at anchor k.
   std::size_t point_of(std::size_t anchor) const;
-  /// Where contact lies beside the end j; the segment in contact there, and the point at the other end of it.
+  /// For the end j: the side on which contact lies, the segment in contact, and the point at the other end of this
+  /// segment.
   Side contact_side(std::size_t j) const { return points_[j].kind == Kind::begins ? Side::right : Side::left; }
   std::size_t inside(std::size_t j) const { return contact_side(j) == Side::right ? j : j - 1; }
   std::size_t neighbour(std::size_t j) const { return contact_side(j) == Side::right ? j + 1 : j - 1; }
-  /// The data of the anchor at point j; null where there is none.
+  /// Returns the data of the anchor at point j; null if there is none.
   const typename RoundedProblem<R>::Anchor* anchor_at(std::size_t j) const {
     return points_[j].anchor ? &problem_->anchors()[*points_[j].anchor] : nullptr;
   }
   bool is_at_step(std::size_t j) const { return points_[j].anchor && anchor_at(j)->step_sign != 0; }
-  /// Of segment k, between points k and k + 1.
+  /// Returns the length of segment k, between points k and k + 1.
   const R& length(std::size_t k) const { return lengths_[k]; }
   std::size_t segments() const { return lengths_.size(); }
   bool in_contact(std::size_t k) const { return contact_[k]; }
   /// The anchor interval that contains segment k.
   std::size_t interval(std::size_t k) const { return intervals_[k]; }
-  /// xi of the points.
+  /// Returns xi of point j.
   const R& x(std::size_t j) const { return x_[j]; }
   std::vector<Panel<R>> panels() const;
 
-  /// Neighbouring segments that are in contact, or not, together: the first one and the one after the last.
+  /// Returns the runs of neighbouring segments that are all in contact or all without contact: first segment and the
+  /// one after the last.
   std::vector<std::pair<std::size_t, std::size_t>> runs() const;
   std::size_t components() const { return all(Kind::begins).size(); }
-  /// The segments in contact, left to right.
+  /// Returns the segments in contact, from left to right.
   const std::vector<std::size_t>& contact_segments() const { return contact_segments_; }
-  /// The points where contact begins, or ends, left to right.
+  /// Returns the points where contact begins, or ends, from left to right.
   std::vector<std::size_t> all(Kind kind) const;
-  /// The movable ends.
+  /// Returns the movable ends.
   const std::vector<std::size_t>& movable() const { return movable_; }
-  /// The sum of the lengths of segments first..end-1, from `start`: of many in blocks.
+  /// Returns `start` plus the lengths of the segments first..end-1; many segments are summed in blocks.
   R sum_of_lengths(std::size_t first, std::size_t end, R start) const;
-  /// Does contact begin and end in turns, at least once, with lengths > 0 between all points?
+  /// True if contact begins and ends alternately, at least once, and all lengths between points are > 0.
   bool is_consistent() const;
-  /// From the first end to the last one.
+  /// Returns the distance from the first to the last end of contact.
   const R& span_length() const { return span_length_; }
-  /// Is segment k half of a short gap over a notch, a wedge with D < 0, both ends free? Such a gap keeps a traction
-  /// like d^beta, or like log d, from pulling in the corner: its length counts by its order of magnitude.
+  /// True if segment k is half of a short gap over a notch (a wedge with D < 0) with two free ends. Such a gap prevents
+  /// tension in the corner, where the traction would be like d^beta or log d. Its length counts by its order of
+  /// magnitude.
   bool is_over_notch(std::size_t k) const;
-  /// Does contact at the free end j reach just beyond a break of the profile? There the length l of that piece counts by
-  /// its order of magnitude: it carries a load like l^(1 - p), and p may be near 1.
+  /// True if contact at the free end j reaches just beyond a break of the profile. The length l of that piece counts by
+  /// its order of magnitude, because it carries a load like l^(1 - p), and p may be near 1.
   bool is_beside_break(std::size_t j) const;
-  /// The gap's segment beside the free end j.
+  /// Returns the segment of the gap beside the free end j.
   std::size_t outside(std::size_t j) const { return contact_side(j) == Side::right ? j - 1 : j; }
-  /// True if the free end j faces contact at a step over a short gap. That gap is as high as the step at its far end, and its
-  /// length counts by its order of magnitude, however low the step is.
+  /// True if a short gap separates the free end j from contact at a step. The height of that gap at its far end is that
+  /// of the step. Its length counts by its order of magnitude, for any height of the step.
   bool is_beside_step(std::size_t j) const;
-  /// Does the shorter length beside the free end j count by its order of magnitude?
+  /// True if the shorter length beside the free end j counts by its order of magnitude.
   bool counts_by_order(std::size_t j) const {
     return is_over_notch(outside(j)) || is_beside_break(j) || is_beside_step(j);
   }
-  /// How far the free end j may be from where it is.
+  /// Returns the error of the position of the free end j.
   R displacement(std::size_t j, const EndErrors<R>& errors) const;
 
   /// Moves the movable ends by steps[i] (in the order of movable()).
   void move(const std::vector<R>& steps);
 
   // Changes of the set's topology. Indices of points change.
-  /// The free end j goes to the other side of its neighbour, an anchor that is no end, at most `distance` away from it.
+  /// Moves the free end j to the other side of its neighbour, an anchor that is not an end, at most `distance` away
+  /// from it.
   void cross_anchor(std::size_t j, Side towards, const R& distance);
-  /// The free end j reaches its neighbour, an anchor, and stays there: an edge, or a free end if `vanishes`.
+  /// Moves the free end j to its neighbour, an anchor. It becomes an edge, or a free end if `vanishes`.
   void attach_to_anchor(std::size_t j, Side towards, bool vanishes);
-  /// The end j, of whatever kind, becomes a free end at the distance given from the left end of a segment.
+  /// Makes the end j (of any kind) a free end at the given distance from the left end of a segment.
   void move_end(std::size_t j, std::size_t segment, const R& from_left);
   /// Removes the gap that begins at point j (an end of contact), or the component that begins there.
   void remove_interval(std::size_t j);
-  /// A place in a segment, by its distances from both ends.
+  /// A place in a segment, given by its distances from both ends.
   struct SegmentPlace {
     std::size_t segment;
     R from_left;
     R from_right;
   };
-  /// New free ends at two places: a gap between them if they are in contact, a component if not.
+  /// Adds free ends at two places: a gap between them if they are in contact, otherwise a component.
   void open(const SegmentPlace& from, const SegmentPlace& to);
 
  private:
@@ -178,7 +182,7 @@ struct SurfacePoint {
   Node<R> node;
 };
 
-/// False beyond the support.
+/// True if the point lies on the support.
 template <Real R>
 bool in_support(const ContactSet<R>& set, const SurfacePoint<R>& at) {
   return at.segment >= 0 && at.segment < static_cast<std::ptrdiff_t>(set.segments());
@@ -189,14 +193,15 @@ bool in_contact(const ContactSet<R>& set, const SurfacePoint<R>& at) {
   return in_support(set, at) && set.in_contact(static_cast<std::size_t>(at.segment));
 }
 
-/// In a segment, the place taken from the nearer end.
+/// Returns a point in a segment, with its place computed from the nearer end.
 template <Real R>
 SurfacePoint<R> surface_point(const ContactSet<R>& set, std::size_t segment, const R& from_left, const R& from_right) {
   const R x = from_left < from_right ? set.x(segment) + from_left : set.x(segment + 1) - from_right;
   return {static_cast<std::ptrdiff_t>(segment), {x, from_left, from_right}};
 }
 
-/// At the distance d from point j of the set, on that side of it; beyond the support the other distance is infinite.
+/// Returns the point at the distance d from point j of the set, on that side. Beyond the support the other distance is
+/// infinite.
 template <Real R>
 SurfacePoint<R> beside(const ContactSet<R>& set, std::size_t j, Side side, const R& d) {
   const bool left = side == Side::left;

@@ -1,6 +1,6 @@
 #pragma once
-// int eps cos(pi alpha) (g - g_k)/|Y| dx'/(x'-x) over those panels of a contact that are far from x, for many x and k, by cells
-// (numeric/hierarchical/), in double. Panels near to x are left to the caller.
+// int eps cos(pi alpha) (g - g_k)/|Y| dx'/(x'-x) over the panels of a contact that are far from x, for many x and k, by
+// cells (numeric/hierarchical/), in double. The caller adds the panels near x.
 
 #include <algorithm>
 #include <cmath>
@@ -13,16 +13,17 @@
 
 namespace steadyslide::numeric {
 
-/// The quadrature nodes x_i of a contact as sources on a line, in double, whose panels are those of the contact and the
-/// segments without contact. With the rule's weights w_i of either sign and g_k = sum_m a_m x^m, for a kernel K,
+/// The quadrature nodes x_i of a contact as sources on a line, in double. The panels of the line are the panels of the
+/// contact and the segments without contact. With the rule's weights w_i (of any sign) and g_k = sum_m a_m x^m, for a
+/// kernel K,
 ///
 ///   sum_i w_i (g - g_k) K(x_i) = F[w g] - sum_m a_m F[w x^m],   F[v] = sum_i v_i K(x_i),
 ///
-/// is a difference of sums that are as large as w g, while w (g - g_k) may be small: its error is counted as that of
-/// sum_i |w_i K(x_i)| (max |g| + sum_m |a_m| max |x|^m).
+/// is a difference of sums of the size of w g, while w (g - g_k) may be small. So the error is that of sum_i |w_i
+/// K(x_i)| (max |g| + sum_m |a_m| max |x|^m).
 class NodeLine {
  public:
-  /// Segments first..end-1.
+  /// The segments first..end-1.
   struct Segments {
     std::size_t first;
     std::size_t end;
@@ -33,8 +34,8 @@ class NodeLine {
     std::size_t panel;
   };
 
-  /// `y` has to outlive it. `panels_of(segment, add)` calls add(number, part, nodes, weights) for each panel of a segment, from
-  /// left to right.
+  /// `y` must outlive this object. `panels_of(segment, add)` calls add(number, part, nodes, weights) for each panel of
+  /// a segment, from left to right.
   template <class PanelsOf>
   NodeLine(const SignedFundamentalSolution<double>& y, const Segments& segments, const PanelsOf& panels_of)
       : y_(&y), segments_(segments), weights_(static_cast<std::size_t>(y.problem().highest_degree()) + 3) {
@@ -55,11 +56,11 @@ class NodeLine {
 
   const std::vector<double>& lengths() const { return lengths_; }
   const std::vector<hierarchical::Source>& sources() const { return sources_; }
-  /// Of the sums: w g, then w x^m for m = 0, 1, ..., the last one |w|.
+  /// The weights of the sums: w g, then w x^m for m = 0, 1, ..., and finally |w|.
   const std::vector<std::vector<double>>& weights() const { return weights_; }
 
   const Leaf& leaf(std::size_t k) const { return leaves_[k]; }
-  /// The first leaf of a segment, and the one after the last.
+  /// Returns the first leaf of a segment; for the end of the segments, the one after the last leaf.
   std::size_t first_leaf(std::size_t segment) const { return first_leaf_[segment - segments_.first]; }
   bool is_left_of(const SurfacePoint<double>& at) const {
     return at.segment >= static_cast<std::ptrdiff_t>(segments_.end);
@@ -67,11 +68,11 @@ class NodeLine {
   bool is_right_of(const SurfacePoint<double>& at) const {
     return at.segment < static_cast<std::ptrdiff_t>(segments_.first);
   }
-  /// From the line's nearer end to a place beyond it.
+  /// Returns the distance from the line's nearer end to a place beyond it.
   double distance_beyond(const SurfacePoint<double>& at) const {
     return is_left_of(at) ? y_->distance(at, segments_.end) : -y_->distance(at, segments_.first);
   }
-  /// In a leaf, or off the line.
+  /// Returns the place, in a leaf or outside the line.
   hierarchical::PivotSum::Place place(const SurfacePoint<double>& at) const {
     if (is_right_of(at)) return {-1, 0, 0};
     if (is_left_of(at)) return {static_cast<std::ptrdiff_t>(leaves_.size()), 0, 0};
@@ -87,7 +88,7 @@ class NodeLine {
     const auto [from_left, from_right] = within(leaf->part, node);
     return {leaf - leaves_.begin(), from_left, from_right};
   }
-  /// sum_i w_i (g - g_k) K(x_i) from the sums, the error in units of 4 epsilon.
+  /// Returns sum_i w_i (g - g_k) K(x_i) from the sums, with the error in units of 4 epsilon.
   Estimate<double> combined(const std::vector<double>& slope, const std::vector<double>& sums) const {
     Estimate<double> result{sums[0], 0};
     double largest = largest_slope_;
@@ -102,9 +103,9 @@ class NodeLine {
   }
 
  private:
-  /// The distances of a place from the ends of its part of a segment.
+  /// Returns the distances of a place from the ends of its part of a segment.
   static std::pair<double, double> within(const SegmentPart<double>& part, const Node<double>& node) {
-    // From the end of the segment that is nearer to the part: there the difference loses nothing.
+    // Measure from the end of the segment that is nearer to the part, because there the difference keeps its digits.
     const bool by_left = part.from_left <= part.from_right;
     const double left = by_left ? node.from_left - part.from_left : part.length - (node.from_right - part.from_right);
     const double right = by_left && part.from_right > 0 ? part.length - left : node.from_right - part.from_right;
@@ -118,7 +119,8 @@ class NodeLine {
 
   void add_panel(const SegmentPart<double>& part, std::span<const SurfacePoint<double>> nodes,
                  std::span<const double> weights) {
-    // Rules count their nodes from the end where the power sits. Far from one end only the distance from the other tells.
+    // Rules number their nodes from the end with the power. Far from one end, only the distance from the other end can
+    // order them.
     const Node<double>& a = nodes.front().node;
     const Node<double>& b = nodes.back().node;
     const bool mirrored = part.from_left <= part.from_right ? a.from_left > b.from_left : a.from_right < b.from_right;
@@ -146,19 +148,19 @@ class NodeLine {
   std::vector<hierarchical::Source> sources_;
   std::vector<std::vector<double>> weights_;
   std::vector<Leaf> leaves_;
-  std::vector<std::size_t> first_leaf_;  ///< of each segment, and one more
+  std::vector<std::size_t> first_leaf_;  ///< for each segment, and one more entry
   double largest_slope_ = 0;
   double largest_place_ = 0;
 };
 
-/// One weight for all places.
+/// Sums with one weight for all places.
 class DistantNodes {
  public:
   explicit DistantNodes(NodeLine line)
       : line_(std::move(line)), sum_(kernels_of(line_), line_.lengths(), line_.sources(), line_.weights()) {}
 
-  /// The sum over far panels, g_k by its coefficients, and visit(panel, distance of its nearer end) for the others; those
-  /// of the segment where x is are left out. The error is in units of 4 epsilon.
+  /// Returns the sum over far panels, with g_k given by its coefficients, and calls visit(panel, distance of its nearer
+  /// end) for the others. Panels of the segment that contains x are left out. The error is in units of 4 epsilon.
   template <class Visit>
   Estimate<double> around(const std::vector<double>& slope, const SurfacePoint<double>& at, const Visit& visit) const {
     std::vector<double> sums(sum_.sums(), 0);
@@ -195,8 +197,8 @@ class DistantNodes {
   hierarchical::LineSum sum_;
 };
 
-/// The weight 1/|Y| (x' - e)^-sigma with the pivot e of the component that x belongs to: its own panels are left to the
-/// caller, too.
+/// Sums with the weight 1/|Y| (x' - e)^-sigma, where e is the pivot of x's component. The caller also adds the panels
+/// of this component.
 class PivotedNodes {
  public:
   PivotedNodes(const SignedFundamentalSolution<double>& y, NodeLine line)
@@ -206,7 +208,7 @@ class PivotedNodes {
     }
   }
 
-  /// As above; visit(panel, distances of its nearer end from x and from e).
+  /// As above, with visit(panel, distances of its nearer end from x and from e).
   template <class Visit>
   Estimate<double> around(const std::vector<double>& slope, const SurfacePoint<double>& at, std::size_t component,
                           int sigma, const Visit& visit) const {
@@ -220,7 +222,7 @@ class PivotedNodes {
         [&](std::size_t leaf, double from_x, double from_pivot) { visit(line_.leaf(leaf).panel, from_x, from_pivot); });
     return line_.combined(slope, sums);
   }
-  /// The segments of a component.
+  /// Returns the segments of a component.
   const NodeLine::Segments& segments(std::size_t component) const { return components_[component]; }
 
  private:

@@ -10,7 +10,7 @@ ExpansionAtInfinity<R>::ExpansionAtInfinity(const SignedFundamentalSolution<R>& 
   const int S = degree_;
   const int g = y.problem().highest_degree();
   const auto count = static_cast<std::size_t>(std::max({g + 2, g - S, S + 1, 2})) + 1;
-  // log Y = S log z - sum_k sigma_k z^-k/k, sigma_k the power sums of the singular points.
+  // log Y = S log z - sum_k sigma_k z^-k/k, where sigma_k are the power sums of the singular points.
   std::vector<R> sigma(count, R(0)), sigma_sizes(count, R(0));
   for (std::size_t j = 0; j < y.set().points().size(); ++j) {
     const R& p = y.fundamental_solution().powers()[j].value;

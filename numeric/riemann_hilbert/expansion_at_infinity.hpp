@@ -1,6 +1,6 @@
 #pragma once
-// Y = z^S (1 + d_1/z + d_2/z^2 + ...) and 1/Y = z^-S (1 + c_1/z + ...), as far as the load, its moment and the
-// polynomials of the profile ask for them. Where an Estimate is returned its error is what rounding may have done to it.
+// Y = z^S (1 + d_1/z + d_2/z^2 + ...) and 1/Y = z^-S (1 + c_1/z + ...), up to the order that the load, its moment and
+// the polynomials of the profile need. The error of a returned Estimate is its rounding error.
 
 #include <vector>
 
@@ -14,29 +14,29 @@ class ExpansionAtInfinity {
  public:
   explicit ExpansionAtInfinity(const SignedFundamentalSolution<R>& y);
 
-  /// d_i, from d_0 = 1.
+  /// Returns d_i, from d_0 = 1 on.
   const std::vector<R>& series() const { return series_; }
-  /// c_i, from c_0 = 1.
+  /// Returns c_i, from c_0 = 1 on.
   const std::vector<R>& inverse_series() const { return inverse_series_; }
 
-  /// Coefficients of [g/Y]_poly, at least one.
+  /// Returns the coefficients of [g/Y]_poly, at least one.
   std::vector<Estimate<R>> polynomial_part(const std::vector<R>& g) const;
-  /// The coefficient of z^-1-j of (g + tilt)/Y.
+  /// Returns the coefficient of z^-1-j of (g + tilt)/Y.
   Estimate<R> moment(const std::vector<R>& g, const R& tilt, std::size_t j) const;
 
-  /// [1/Y]_poly at x.
+  /// Returns [1/Y]_poly at x.
   R tilt_polynomial(const R& x) const;
-  /// The coefficient of z^-1-j of 1/Y: what the tilt adds to the moments of u'/(c Y).
+  /// Returns the coefficient of z^-1-j of 1/Y, the effect of the tilt on the moments of u'/(c Y).
   R tilt_moment(std::size_t j) const;
 
  private:
-  /// g times a coefficient of 1/Y.
+  /// Returns g times a coefficient of 1/Y.
   Estimate<R> term(const R& g, std::size_t i) const;
 
   int degree_;
   std::vector<R> series_;
   std::vector<R> inverse_series_;
-  std::vector<R> sizes_;  ///< of what was added up for each of inverse_series_
+  std::vector<R> sizes_;  ///< sums of absolute values for each entry of inverse_series_
 };
 
 }  // namespace steadyslide::numeric

@@ -13,7 +13,7 @@ R GapIntegral<R>::step(std::size_t j) const {
 
 template <Real R>
 std::size_t GapIntegral<R>::slope_on(std::size_t segment, bool left_half) const {
-  // Next to an end at a break, B_k is smooth for the k of the contact.
+  // Next to an end at a break, B_k is smooth if k is that of the contact.
   const bool left = set().point(segment).is_end();
   const bool right = set().point(segment + 1).is_end();
   if (left && (left_half || !right)) return form_->slope_at(segment - 1);
@@ -60,7 +60,7 @@ void GapIntegral<R>::add_nodes(const SegmentPart<R>& part, std::size_t slope, st
 
 template <Real R>
 Estimate<R> GapIntegral<R>::slope_difference(const SegmentPart<R>& part) const {
-  // The nodes change their k in the middle of a segment that has contact at both ends.
+  // In a segment with contact at both ends, the nodes change their k in the middle.
   const RoundedProblem<R>& problem = form_->problem();
   const std::size_t segment = part.segment;
   const std::size_t own = form_->slope_at(segment);
@@ -110,7 +110,7 @@ Estimate<R> GapIntegral<R>::closure_error(const std::vector<GapNode<R>>& rule) c
   const SignedFundamentalSolution<R>& y = form_->y();
   for (const GapNode<R>& node : rule) {
     Estimate<R> b = form_->regular_factor(node.slope, node.at);
-    // B itself, with what it has at the pivot as long as the ends are not found.
+    // B itself, with its value at the pivot, which is not 0 until the ends are found.
     if (!y.pivots().empty()) b = node.to_pivot * b + form_->pivot_moment(y.component_at(node.at));
     sum += node.term(b);
   }
@@ -127,7 +127,7 @@ Estimate<R> GapIntegral<R>::rise(const SegmentPart<R>& part, bool rightwards) co
     sum += node.term(node.to_pivot * form_->regular_factor(node.slope, node.at));
   }
   if (errors_) {
-    // Twice: q and the tilt go with the ends.
+    // Twice, because q and the tilt depend on the ends.
     sum.error += 2 * form_->integral_of_error(part, [this](const SurfacePoint<R>& at) {
       return R(form_->modulus(at) * form_->error_of_state(at, *errors_));
     });

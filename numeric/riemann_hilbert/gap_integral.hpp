@@ -1,5 +1,5 @@
 #pragma once
-// Heights over the gap beside one end of contact, by exact integration of Y B_k from there.
+// Heights over the gap beside one end of contact, by integration of Y B_k from that end.
 
 #include <optional>
 #include <vector>
@@ -8,17 +8,17 @@
 
 namespace steadyslide::numeric {
 
-/// Of a rule for functions like Y/(x - e) at the ends of a gap.
+/// A node of a rule for functions like Y/(x - e) at the ends of a gap.
 template <Real R>
 struct GapNode {
   SurfacePoint<R> at;
-  std::size_t slope;  ///< the k in use
+  std::size_t slope;  ///< the k at this node
   R weight;
   R y;         ///< Y, with its sign, of all components
-  R to_pivot;  ///< Y_i/Y, i the component the place belongs to
+  R to_pivot;  ///< Y_i/Y, where i is the component of the place
 
-  /// weight Y f, for f = B Y_i/Y. Y alone comes last: over a tiny gap the weight times Y may be no number any more, and the
-  /// rounding of its powers counts by the logarithms of distances.
+  /// Returns weight Y f, for f = B Y_i/Y. It multiplies Y by f first, because for a tiny gap the weight times Y may be
+  /// out of range. The rounding error of its powers is proportional to the logarithms of distances.
   Estimate<R> term(Estimate<R> f) const {
     f *= y;
     return weight * f.widened((8 + abs(log(abs(y)))) * epsilon<R>());
@@ -28,42 +28,42 @@ struct GapNode {
 template <Real R>
 class GapIntegral {
  public:
-  /// The gap that the contact's end, point `end` of the set, faces; of a state known up to `errors`, or taken as it is.
-  /// `form` has to outlive it.
+  /// Takes the gap beside the end of contact at point `end` of the set. `errors` are the errors of the state; without
+  /// them it counts as exact. `form` must outlive this object.
   GapIntegral(const TractionRepresentation<R>& form, std::size_t end,
               std::optional<StateErrors<R>> errors = std::nullopt)
       : form_(&form), end_(end), errors_(std::move(errors)) {}
 
-  /// Over the whole gap, which begins at the end.
+  /// Returns a rule over the whole gap, which begins at the end.
   std::vector<GapNode<R>> rule() const;
-  /// The height that the profile misses at the far end of the gap that begins at the end: zero for a solution.
+  /// Returns the difference in height between surface and profile at the far end of the gap; 0 for a solution.
   Estimate<R> closure_error(const std::vector<GapNode<R>>& rule) const;
 
-  /// The gap at a point of it, over c, measured from the end. What whole segments add is kept, for the next points. Throws
-  /// std::domain_error off the support.
+  /// Returns the gap at a point, divided by c, measured from the end. Sums over whole segments are kept for the next
+  /// points. Throws std::domain_error outside the support.
   Estimate<R> reduced_gap(const SurfacePoint<R>& at) const;
-  /// The tilted profile's height at a point of the gap minus that at the end, on the side of the contact.
+  /// Returns the tilted profile's height at a point of the gap minus the height at the end, on the side of the contact.
   R profile_increment(const SurfacePoint<R>& at) const;
 
  private:
   const ContactSet<R>& set() const { return form_->set(); }
   bool is_rightwards(const SurfacePoint<R>& at) const { return static_cast<std::ptrdiff_t>(end_) <= at.segment; }
-  /// The gap's rise over a part of a segment, away from the end, with the step of the profile on the near side.
+  /// Returns the gap's rise over a part of a segment, away from the end, with the step of the profile on the near side.
   Estimate<R> rise(const SegmentPart<R>& part, bool rightwards) const;
-  /// The step of the profile at point j, on the right of it minus on the left; 0 where there is none.
+  /// Returns the step of the profile at point j, right minus left; 0 if there is none.
   R step(std::size_t j) const;
   std::size_t slope_on(std::size_t segment, bool left_half) const;
-  /// Do both halves belong to one component, and use one k?
+  /// True if both halves belong to the same component and use the same k.
   bool is_uniform(std::size_t segment) const;
   void add_nodes(const SegmentPart<R>& part, std::vector<GapNode<R>>& nodes) const;
   void add_nodes(const SegmentPart<R>& part, std::size_t slope, std::vector<GapNode<R>>& nodes) const;
-  /// int (profile slope - g_k) over a part of a gap segment, k as the gap's nodes use it.
+  /// Returns int (profile slope - g_k) over a part of a gap segment, with the k of the gap's nodes.
   Estimate<R> slope_difference(const SegmentPart<R>& part) const;
 
   const TractionRepresentation<R>* form_;
   std::size_t end_;
   std::optional<StateErrors<R>> errors_;
-  mutable std::vector<Estimate<R>> rises_;  ///< the sums over the first segments from the end on
+  mutable std::vector<Estimate<R>> rises_;  ///< the sums over the first segments, counted from the end
 };
 
 }  // namespace steadyslide::numeric

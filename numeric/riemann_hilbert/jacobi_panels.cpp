@@ -6,7 +6,7 @@
 namespace steadyslide::numeric {
 namespace {
 
-/// Of Y, or of all Y_i.
+/// Returns the degree of Y at infinity, or the lowest degree of all Y_i.
 template <Real R>
 int lowest_degree(const SignedFundamentalSolution<R>& y) {
   int degree = y.degree_at_infinity();
@@ -16,8 +16,8 @@ int lowest_degree(const SignedFundamentalSolution<R>& y) {
 
 template <Real R>
 int nodes_per_panel(const SignedFundamentalSolution<R>& y, SmoothFactor factor) {
-  // Bernstein's ellipse through a pole at half a panel's length, or a branch point at a whole one, has the parameter
-  // 2 + sqrt 3 or more; half a node more for every degree of the polynomial.
+  // Bernstein's ellipse through a pole at half a panel's length, or a branch point at one length, has a parameter of at
+  // least 2 + sqrt 3. Each degree of the polynomial needs half a node more.
   if (factor == SmoothFactor::error) return 1;
   static const int geometric = static_cast<int>(-log(epsilon<R>()) / (2 * log(2 + sqrt(R(3))))) + 2;
   const int more = factor == SmoothFactor::regular_factor ? std::max(-lowest_degree(y), 0) : 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Gauss-Jacobi rules for integrals over a part of a segment, graded towards everything singular around it.
+// Gauss-Jacobi rules for integrals over a part of a segment, graded towards all singular points around it.
 
 #include <functional>
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace steadyslide::numeric {
 
-/// A part of a segment: what lies left of it, its length, and what lies right of it; zeros are exact.
+/// A part of a segment: the length on its left, its own length, and the length on its right. Zeros are exact.
 template <Real R>
 struct SegmentPart {
   std::size_t segment;
@@ -25,7 +25,7 @@ SegmentPart<R> whole_segment(const ContactSet<R>& set, std::size_t segment) {
   return {segment, R(0), set.length(segment), R(0)};
 }
 
-/// What is_singular(j) says of the points j at the ends of a segment and beyond them.
+/// Returns the singular points at the ends of a segment and beyond them. is_singular(j) is true for a singular point j.
 template <Real R, class IsSingular>
 Surroundings<R> surroundings(const ContactSet<R>& set, std::size_t segment, const IsSingular& is_singular) {
   Surroundings<R> result{is_singular(segment), is_singular(segment + 1), infinity<R>(), infinity<R>()};
@@ -46,7 +46,7 @@ Surroundings<R> surroundings(const ContactSet<R>& set, std::size_t segment, cons
   return result;
 }
 
-/// One rule, whose nodes count from the end where the power sits.
+/// One rule. Its nodes are numbered from the end with the power.
 template <Real R>
 struct JacobiPanel {
   SegmentPart<R> part;
@@ -55,16 +55,17 @@ struct JacobiPanel {
   const UnitRule<R>* rule;
 
   SurfacePoint<R> node(const ContactSet<R>& set, std::size_t i) const;
-  /// int f dxi = sum of node_weight(i) f(node(i)), for f = distance^power times a smooth function.
+  /// Returns the weight in int f dxi = sum of node_weight(i) f(node(i)), for f = distance^power times a smooth
+  /// function.
   R node_weight(std::size_t i) const;
 };
 
-/// What multiplies the powers of distances: a polynomial, or B_k, which is singular as well wherever contact begins,
-/// ends or changes its polynomial, and whose degree is higher by -S, or an error of B_k, of which the order of magnitude
-/// is wanted: one node a panel.
+/// The factor of the powers of distances: a polynomial; or B_k, whose degree is higher by -S and which is also singular
+/// where contact begins, ends or changes its polynomial; or an error of B_k, which is needed only in order of
+/// magnitude, with one node for each panel.
 enum class SmoothFactor { polynomial, regular_factor, error };
 
-/// `power_at(j)` is the integrand's power at point j. `rules` has to outlive the panels.
+/// Returns the panels. `power_at(j)` is the integrand's power at point j. `rules` must outlive the panels.
 template <Real R>
 std::vector<JacobiPanel<R>> jacobi_panels(const SignedFundamentalSolution<R>& y, const SegmentPart<R>& part,
                                           SmoothFactor factor, const std::function<Power<R>(std::size_t)>& power_at,

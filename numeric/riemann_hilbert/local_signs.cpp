@@ -6,7 +6,7 @@
 namespace steadyslide::numeric {
 namespace {
 
-/// D, from the exact difference.
+/// Returns D, from the exact difference.
 template <Real R>
 R slope_jump(const TractionRepresentation<R>& form, std::size_t point) {
   return to_real<R>(form.set().anchor_at(point)->wedge);
@@ -20,7 +20,7 @@ LeadingTerm<R> power_term(const TractionRepresentation<R>& form, std::size_t poi
   const std::size_t segment = side == Side::right ? point : point - 1;
   const Estimate<R> b = form.regular_factor_at(point, side);
   const Side seen = is_end ? side : Side::right;
-  // Lengths keep their relative precision, however small they are.
+  // Lengths keep their relative precision, for any size.
   const R shift = sqrt(epsilon<R>());
   const R error = b.error + form.error_of_state(beside(set, point, seen, R(0)), {{end_error, shift, shift}, {}});
   R factor = -form.sign(static_cast<std::ptrdiff_t>(segment)) * form.amplitude(point);
@@ -46,7 +46,7 @@ std::optional<LeadingTerm<R>> leading_term(const TractionRepresentation<R>& form
   const R& s = form.problem().s(form.friction_at(point));
   const bool jumps = beta != 0;
   const R coefficient = slope_jump(form, point) / (jumps ? set.anchor_at(point)->s_jump : 1 + s * s);
-  // log d and [s] are negative where they come in.
+  // log d and [s] are negative where they are used.
   return LeadingTerm<R>{jumps ? Is::constant : Is::logarithm, Estimate<R>{coefficient, R(0)}.widened(4 * epsilon<R>()),
                         R(0), -wedge};
 }

@@ -13,13 +13,13 @@
 namespace steadyslide::numeric {
 namespace {
 
-/// What a search starts from: zones measured from `origin`, in the problem's unit of length.
+/// The start of a search: zones measured from `origin`, in the problem's unit of length.
 struct Start {
   Rational origin;
   std::vector<ContactInterval> zones;
   double tilt = 0;
 
-  /// With its origin in the middle of the contact and the half-width of it near 1.
+  /// Returns a frame with its origin in the middle of the contact, in which the half-width is near 1.
   Frame frame() const {
     const double left = zones.front().left, right = zones.back().right;
     int exponent = 0;
@@ -38,8 +38,8 @@ struct Start {
   }
 };
 
-/// The problem with at most `most` jumps of friction, every value the mean over several: a coarse solution cuts its
-/// cells at every jump and costs the cube of their number.
+/// Returns the problem with at most `most` friction jumps; each value is the mean over several pieces. A coarse
+/// solution divides its cells at every jump, and its cost grows with the cube of their number.
 ContactProblem with_fewer_jumps(const ContactProblem& problem, std::size_t most) {
   const FrictionProfile& friction = problem.friction();
   const std::size_t group = friction.jumps().size() / (most + 1) + 1;
@@ -83,7 +83,7 @@ Start start_from(const ContactProblem& problem, const ContactSolution<R>& soluti
   return start;
 }
 
-/// What has been found, measured by its lengths: from an anchor if one is near.
+/// Returns the zones of a solution, from the lengths of its set; measured from an anchor if one is near.
 template <Real R>
 Start start_again(const RiemannHilbertSolution<R>& solution) {
   const ContactSet<R>& set = solution.state().set;
@@ -121,7 +121,7 @@ std::shared_ptr<RiemannHilbertSolution<R>> search_once(const ContactProblem& pro
   const auto search = [&](const RoundedProblem<R>& reduced, JacobiRules<R>& rules) {
     const std::vector<ContactInterval> zones = start.in(reduced.frame());
     ContactSet<R> set(reduced, zones);
-    // Zones that rounding has run into each other: one.
+    // Zones that overlap because of rounding become one zone.
     if (!set.is_consistent()) {
       set = ContactSet<R>(reduced, {{zones.front().left, zones.back().right, false, false}});
     }
@@ -130,7 +130,7 @@ std::shared_ptr<RiemannHilbertSolution<R>> search_once(const ContactProblem& pro
   return std::make_shared<RiemannHilbertSolution<R>>(problem, start.frame(), search);
 }
 
-/// Of a contact far smaller than its frame the places are known too badly: a frame of its own.
+/// A contact far smaller than its frame needs its own frame, because its places are not accurate enough.
 template <Real R>
 std::shared_ptr<RiemannHilbertSolution<R>> search(const ContactProblem& problem, const Start& start) {
   constexpr int max_frames = 12;
@@ -141,14 +141,14 @@ std::shared_ptr<RiemannHilbertSolution<R>> search(const ContactProblem& problem,
   return solution;
 }
 
-/// The solution in double carried on in R.
+/// Continues the solution in double in R.
 template <Real R>
 std::shared_ptr<RiemannHilbertSolution<R>> refined(const ContactProblem& problem,
                                                    const RiemannHilbertSolution<double>& rough) {
   const auto search = [&](const RoundedProblem<R>& reduced, JacobiRules<R>& rules) {
     const ContactState<double>& state = rough.state();
     ContactSet<R> set = ContactSet<R>::converted(reduced, state.set);
-    // A free end that lies on a jump as far as double can tell is free again.
+    // A free end that lies on a jump in double becomes free again.
     const R distance = epsilon<double>() * set.span_length();
     for (std::size_t j = set.points().size(); j-- > 0;) {
       if (!set.point(j).is_free() || !set.point(j).anchor) continue;
@@ -163,8 +163,8 @@ std::shared_ptr<RiemannHilbertSolution<R>> refined(const ContactProblem& problem
   return std::make_shared<RiemannHilbertSolution<R>>(problem, rough.problem().frame(), search);
 }
 
-/// Equal cells, solved by fast products, for what is too much for dense coarse solutions: where many pieces meet there
-/// may be many zones.
+/// Searches from a solution on equal cells with fast products, for problems that are too large for dense coarse
+/// solutions: many pieces may mean many zones.
 std::shared_ptr<RiemannHilbertSolution<double>> search_from_cells(const ContactProblem& problem,
                                                                   std::size_t cells_per_piece) {
   VariationalOptions options;
@@ -174,7 +174,8 @@ std::shared_ptr<RiemannHilbertSolution<double>> search_from_cells(const ContactP
   return cells.solution ? search<double>(problem, start_from(problem, *cells.solution)) : nullptr;
 }
 
-/// The first solution of several searches, each from something finer; the first one's state where none leads to one.
+/// Returns the first solution of several searches, each from a finer start; if none finds a solution, the state of the
+/// first.
 std::shared_ptr<RiemannHilbertSolution<double>> search_from_nothing(const ContactProblem& problem) {
   const std::size_t pieces = problem.indenter().pieces().size();
   std::vector<std::size_t> cells_per_piece;
@@ -219,7 +220,7 @@ Attempt<R> riemann_hilbert(const ContactProblem& problem, const ContactSolution<
   if (std::string reason = too_many_friction_pieces(problem, digits_of<R>); !reason.empty())
     return {nullptr, std::move(reason)};
   if (std::string reason = too_many_profile_breaks(problem, digits_of<R>); !reason.empty()) return {nullptr, reason};
-  // Whatever the precision, double finds where the contact is.
+  // For every precision, the contact is first found in double.
   std::shared_ptr<RiemannHilbertSolution<double>> rough;
   if (start) rough = search<double>(problem, start_from(problem, *start));
   if (!rough || !rough->failed_condition().empty()) rough = search_from_nothing(problem);

@@ -46,8 +46,8 @@ bool RiemannHilbertSolution<R>::in_contact_at(std::size_t j, Side side) const {
 
 template <Real R>
 R RiemannHilbertSolution<R>::relative_end_error(const SurfacePoint<R>& at) const {
-  // What a displaced free end e does to |x - e|^p, next to where it matters most, and about as much again to every
-  // other factor of the traction.
+  // A displaced free end e changes |x - e|^p, where the effect is largest, and changes each other factor of the
+  // traction by about the same amount.
   R sum = 0;
   for (const std::size_t j : contact_set().movable()) {
     const bool is_left = static_cast<std::ptrdiff_t>(j) <= at.segment;
@@ -63,7 +63,7 @@ template <Real R>
 Estimate<R> RiemannHilbertSolution<R>::traction(const SurfacePoint<R>& at) const {
   Estimate<R> t = form_.traction(at);
   const auto segment = static_cast<std::size_t>(at.segment);
-  // Twice: q and the tilt go with the ends.
+  // Twice, because q and the tilt depend on the ends.
   t.error += 2 * abs(form_.y().traction_factor(segment)) * form_.modulus(at) * form_.error_of_state(at, found_.errors);
   return t;
 }
@@ -77,12 +77,12 @@ R RiemannHilbertSolution<R>::relative_shift(std::size_t j) const {
   for (std::size_t i = 0; i < distances.size(); ++i) {
     if (i != j) sum += abs(form_.power(i).value / distances[i]);
   }
-  // B beside a gap over a notch follows the gap's length, like a power of it from -1 to 0.
+  // Beside a gap over a notch, B depends on the gap's length like a power of it between -1 and 0.
   if (set.counts_by_order(j)) sum += 1 / std::min(set.length(j - 1), set.length(j));
   return set.displacement(j, found_.errors.ends) * sum;
 }
 
-/// A segment's middle.
+/// Returns the middle of a segment.
 template <Real R>
 SurfacePoint<R> RiemannHilbertSolution<R>::middle_of(std::size_t segment) const {
   const R half = contact_set().length(segment) / 2;
@@ -113,7 +113,7 @@ Estimate<R> RiemannHilbertSolution<R>::intensity(std::size_t j) const {
   }
   const Estimate<R> t = amplitude(j, side);
   const R power = pow(unit_, -form_.power(j).value);
-  // At an end theta carries the cos(pi alpha) of the contact side; at a jump the definition takes it out.
+  // At an end theta contains cos(pi alpha) of the contact side; at a jump its definition does not contain it.
   const R factor = inside ? power : power * reduced_.cos_alpha(friction);
   return -factor * t;
 }
@@ -124,7 +124,7 @@ Estimate<R> RiemannHilbertSolution<R>::constant(std::size_t j) const {
   const Rational& d = wedge(j);
   const Rational s = problem_.coupled_friction(form_.friction_at(j - 1));
   if (form_.exponent(j).sign() != 0) {
-    // From exact data: next to each other the two s have lost their difference in R.
+    // Computed from exact data: in R the difference of two close s would lose its digits.
     const R a = to_real<R>(Rational(d / (problem_.coupled_friction(form_.friction_at(j)) - s)));
     return {a, epsilon<R>() * abs(a)};
   }
@@ -181,7 +181,7 @@ ApproximateContact RiemannHilbertSolution<R>::approximate_contact() const {
       contact.ends.push_back({reduced_.place(*point.anchor), std::nullopt, 0, point.vanishes});
       continue;
     }
-    // Lengths are what is known exactly: their sums to the anchors on both sides.
+    // Lengths are accurate, so use their sums to the anchors on both sides.
     R to_left = 0, to_right = 0;
     std::size_t left = j, right = j;
     while (!set.point(left).anchor) to_left += set.length(--left);
@@ -251,7 +251,7 @@ Resultants<R> RiemannHilbertSolution<R>::resultants() const {
     result.component_load = std::move(on_components);
     const R origin = to_real<R>(reduced_.frame().origin);
     const Estimate<R> offset = unit_ * form_.moment_of_load() / reduced_.load();
-    // Free ends move the centre by no more than what they do to the load, over the contact's length.
+    // The change of the centre due to free ends is at most the relative change of the load times the contact's length.
     const R ends =
         8 * unit_ * end_error() + unit_ * contact_set().span_length() * result.normal.error / result.normal.value;
     result.centre_of_pressure = {origin + offset.value,
@@ -265,7 +265,7 @@ const std::vector<Estimate<R>>& RiemannHilbertSolution<R>::loads() const {
   return loads_([this] {
     const auto load_on = [this](std::size_t segment, std::size_t panel) -> Estimate<R> {
       if constexpr (!std::same_as<R, double>) {
-        // The samples are there, or soon will be; Gauss-Jacobi rules for this alone would cost ten times as much.
+        // The samples exist or will be needed soon. Gauss-Jacobi rules for this alone would cost ten times as much.
         if (const auto load = check().panel_integral(panel)) return *load;
       }
       if (!form_.changes_polynomial(segment) && !form_.changes_polynomial(segment + 1)) return form_.load_on(segment);
@@ -273,7 +273,7 @@ const std::vector<Estimate<R>>& RiemannHilbertSolution<R>::loads() const {
     };
     std::vector<Estimate<R>> result;
     for (const std::size_t k : contact_set().contact_segments()) {
-      // Rules for any density know nothing of the traction's own error.
+      // Rules for a density do not include the error of the traction.
       result.push_back(load_on(k, result.size()));
       result.back().error += form_.integral_of_error(whole_segment(contact_set(), k),
                                                      [this](const SurfacePoint<R>& at) { return traction(at).error; });
@@ -338,11 +338,11 @@ Residuals<R> RiemannHilbertSolution<R>::residuals() const {
   Residuals<R> result;
   result.equation = check().equation();
   result.load = abs(check().integral() + load) / load;
-  // Places show what is there; the limits decide what no place may show.
+  // Use the samples at places, and the limits at singular points, which no place may show.
   const R limit = highest_limit(form_, end_error());
   result.tension = max({check().highest_traction(), limit, R(0)}) * contact_length / load;
 
-  // Gaps: the profile against the displacement, both from the end of the contact that is next to the place.
+  // Gaps: compare the profile with the displacement, both measured from the end of contact next to the place.
   R deepest = 0;
   for (std::size_t k = 0; k < contact_set().segments(); ++k) {
     if (contact_set().in_contact(k)) continue;

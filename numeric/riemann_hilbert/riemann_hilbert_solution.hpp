@@ -1,5 +1,5 @@
 #pragma once
-// The Riemann-Hilbert form of a contact problem in the user's units and x: what riemann_hilbert() returns.
+// The solution that riemann_hilbert() returns: the Riemann-Hilbert form of a contact problem in the user's units and x.
 
 #include <functional>
 #include <map>
@@ -15,17 +15,17 @@ namespace steadyslide::numeric {
 template <Real R>
 class RiemannHilbertSolution : public ContactSolution<R> {
  public:
-  /// The contact that `search` finds for the reduced problem, with rules that the form goes on using.
+  /// A function that finds the contact of the reduced problem. The form keeps using the rules.
   using Search = std::function<SearchResult<R>(const RoundedProblem<R>&, JacobiRules<R>&)>;
   RiemannHilbertSolution(ContactProblem problem, const Frame& frame, const Search& search);
-  // The form points into this object.
+  // Not copyable, because the form points into this object.
   RiemannHilbertSolution(const RiemannHilbertSolution&) = delete;
   RiemannHilbertSolution& operator=(const RiemannHilbertSolution&) = delete;
 
   const RoundedProblem<R>& problem() const { return reduced_; }
   const ContactState<R>& state() const { return found_.state; }
   const TractionRepresentation<R>& form() const { return form_; }
-  /// Does the traction blow up at an end?
+  /// True if the traction blows up at an end.
   bool has_edge() const;
 
   std::string method() const override { return "riemann-hilbert"; }
@@ -46,68 +46,69 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   DetailedSample<R> details_at(const Rational& x) const override;
   std::vector<DetailedSample<R>> detailed_samples(int count) const override;
 
-  /// u_t' at a place that is no singular point, alone.
+  /// Returns only u_t' at a place that is not a singular point.
   Estimate<R> tangential_slope(const Rational& x) const;
 
-  // What integrals of the traction ask for.
+  // Functions that integrals of the traction need.
   SurfacePoint<R> locate(const Rational& x) const;
-  /// t_t/t on a segment.
+  /// Returns t_t/t on a segment.
   R shear_ratio(std::size_t segment) const;
-  /// What the free ends' error may do to the traction at a place, relative to it.
+  /// Returns the relative error of the traction at a place due to the error of the free ends.
   R relative_end_error(const SurfacePoint<R>& at) const;
 
  private:
   const ContactSet<R>& contact_set() const { return form_.set(); }
   const R& end_error() const { return found_.errors.ends.distance; }
-  /// The relative change of the other points' powers by the error of free end j; 0 if point j does not move.
+  /// Returns the relative change of the other points' powers due to the error of free end j; 0 if point j does not
+  /// move.
   R relative_shift(std::size_t j) const;
   Estimate<R> coordinate(std::size_t j) const;
   std::vector<Rational> places() const;
   SurfacePoint<R> middle_of(std::size_t segment) const;
   ContactEnd<R> contact_end(std::size_t j) const;
-  /// The coefficient of |x - x_j|^p/cos(pi alpha) in t on one side of point j, the part of t without its singular term
-  /// where p = 0.
+  /// Returns the coefficient of |x - x_j|^p/cos(pi alpha) in t on one side of point j; for p = 0, the part of t without
+  /// its singular term.
   Estimate<R> amplitude(std::size_t j, Side side) const;
   Estimate<R> intensity(std::size_t j) const;
-  /// With what the state's errors may do to it.
+  /// Returns the traction with its error, including that of the state.
   Estimate<R> traction(const SurfacePoint<R>& at) const;
   Estimate<R> constant(std::size_t j) const;
-  /// The jump of g at a point where the contact changes its polynomial.
+  /// Returns the jump of g at a point where the contact changes its polynomial.
   const Rational& wedge(std::size_t j) const { return contact_set().anchor_at(j)->wedge; }
   bool in_contact_at(std::size_t j, Side side) const;
 
   std::optional<std::size_t> point_at(const SurfacePoint<R>& at) const;
-  /// u' at a place that is no singular point, with what the state's errors may do to it.
+  /// Returns u' at a place that is not a singular point, with its error, including that of the state.
   Estimate<R> slope(const SurfacePoint<R>& at) const;
   Sample<R> sample(const SurfacePoint<R>& at) const;
   Sample<R> sample_at_point(std::size_t j) const;
   Estimate<R> traction_limit(std::size_t j, Side side) const;
   Estimate<R> slope_limit(std::size_t j, Side side) const;
   Estimate<R> gap(const SurfacePoint<R>& at) const;
-  /// TractionSegment::left_corner, or right_corner, of the segment on that side of point j.
+  /// Returns TractionSegment::left_corner or right_corner of the segment on that side of point j.
   std::function<R(const R&)> corner(std::size_t j, Side side) const;
   std::optional<std::size_t> nearest_end(const SurfacePoint<R>& at) const;
 
-  /// Those of samples().
+  /// Returns the places of samples().
   std::vector<SurfacePoint<R>> sampled_places(int count) const;
-  /// psi + tilt x - gap, which is u + C; with the gap there if it is known.
+  /// Returns psi + tilt x - gap, which is u + C. `gap_there` is the gap if it is already known.
   Estimate<R> height(const SurfacePoint<R>& at, std::optional<Estimate<R>> gap_there = std::nullopt) const;
   Estimate<R> height_beyond(const SurfacePoint<R>& at) const;
   LinePlace<R> line_place(const SurfacePoint<R>& at, std::optional<std::size_t> point) const;
   DetailedSample<R> detailed(const SurfacePoint<R>& at) const;
   const TractionIntegrals<R>& integrals() const;
 
-  /// int t over each segment in contact, in xi.
+  /// Returns int t over each segment in contact, in xi.
   const std::vector<Estimate<R>>& loads() const;
 
-  /// The traction sampled by the rule that residuals come from, which is also the cheapest for loads in high precision. Its
-  /// panels are the segments in contact.
+  /// Returns the traction sampled by the rule for residuals, which is also the fastest rule for loads in high
+  /// precision. Its panels are the segments in contact.
   const SurfaceCheck<R>& check() const;
 
   ContactProblem problem_;
   R compliance_;
   RoundedProblem<R> reduced_;
-  R unit_;  ///< of xi
+  R unit_;  ///< unit of xi
   JacobiRules<R> rules_;
   SearchResult<R> found_;
   TractionRepresentation<R> form_;
@@ -116,8 +117,8 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   Once<std::vector<Estimate<R>>> loads_;
   Once<TractionIntegrals<R>> integrals_;
   Once<Estimate<R>> height_at_origin_;
-  mutable std::mutex measuring_;                        ///< over the gaps
-  mutable std::map<std::size_t, GapIntegral<R>> gaps_;  ///< from the ends asked for: they keep what whole segments add
+  mutable std::mutex measuring_;                        ///< protects the gaps
+  mutable std::map<std::size_t, GapIntegral<R>> gaps_;  ///< by end of contact; they keep sums over whole segments
 };
 
 }  // namespace steadyslide::numeric

@@ -13,7 +13,7 @@
 
 namespace steadyslide::numeric {
 
-// At places of the surface.
+// Values at places of the surface.
 
 template <Real R>
 R RiemannHilbertSolution<R>::shear_ratio(std::size_t segment) const {
@@ -49,7 +49,7 @@ template <Real R>
 Estimate<R> RiemannHilbertSolution<R>::slope(const SurfacePoint<R>& at) const {
   Estimate<R> slope = form_.surface_slope(at);
   if (!in_contact(contact_set(), at)) {
-    // The slope is the profile's less a singular part: that is what ends move.
+    // The slope is the profile's slope minus a singular part. Only the singular part changes with the ends.
     slope.error += 2 * form_.modulus(at) * form_.error_of_state(at, found_.errors);
   }
   slope *= compliance_;
@@ -80,7 +80,7 @@ Estimate<R> RiemannHilbertSolution<R>::traction_limit(std::size_t j, Side side) 
   if (p.sign() < 0) return {-infinity<R>(), R(0)};
   if (form_.changes_polynomial(j)) {
     if (p.sign() > 0) return constant(j);
-    // Without a corner (only the curvature changes) the logarithm is multiplied by zero.
+    // If there is no corner (only the curvature changes), the factor of the logarithm is zero.
     if (const int corner = sign(wedge(j)); corner != 0) return {corner > 0 ? -infinity<R>() : infinity<R>(), R(0)};
   }
   if (p.sign() > 0) return {};
@@ -96,13 +96,13 @@ Estimate<R> RiemannHilbertSolution<R>::slope_limit(std::size_t j, Side side) con
   }
   std::ptrdiff_t segment = static_cast<std::ptrdiff_t>(j) - (side == Side::left ? 1 : 0);
   if (contact || point.is_end()) {
-    // The surface leaves a free end along the profile of the contact.
+    // At a free end the surface continues along the profile of the contact.
     if (!contact) segment += side == Side::left ? 1 : -1;
     const Estimate<R> slope =
         reduced_.slope_estimate(form_.slope_at(static_cast<std::size_t>(segment)), contact_set().x(j));
     return compliance_ * slope + tilt().value_or(Estimate<R>{compliance_ * form_.tilt(), R(0)});
   }
-  // Off the contact the surface is smooth, whatever the profile does above it.
+  // Outside the contact the surface is smooth, also where the profile is not.
   return slope(beside(contact_set(), j, side, R(0)));
 }
 
@@ -118,7 +118,7 @@ Sample<R> RiemannHilbertSolution<R>::sample_at_point(std::size_t j) const {
   if (in_contact_at(j, Side::left) || in_contact_at(j, Side::right)) {
     result.gap = Estimate<R>{};
   } else {
-    // At the support's ends the only segment is the inner one; at a step, the side of the lower gap.
+    // At the support's ends, take the only segment, which is inside; at a step, take the side of the lower gap.
     for (const Side side : {Side::left, Side::right}) {
       if (j == (side == Side::left ? 0 : contact_set().segments())) continue;
       const Estimate<R> here = gap(beside(contact_set(), j, side, R(0)));
@@ -142,7 +142,7 @@ SurfacePoint<R> RiemannHilbertSolution<R>::locate(const Rational& x) const {
   while (interval + 1 < last && x > reduced_.place(interval + 1)) ++interval;
   const std::size_t first = set.point_of(interval);
   const std::size_t end = set.point_of(interval + 1);
-  // Distances from the points of the interval, by way of the anchor that is nearer; by coordinates if both are far.
+  // Distances from the points of the interval are computed from the nearer anchor; by coordinates if both are far.
   const R left = from(interval);
   const R right = -from(interval + 1);
   const bool left_is_near = left < right;
@@ -178,7 +178,7 @@ Sample<R> RiemannHilbertSolution<R>::at(const Rational& x) const {
   return result;
 }
 
-/// The set's points in the user's x; what is no anchor lies beside the nearer one, by lengths.
+/// Returns the set's points in the user's x. A point that is not an anchor is placed by lengths from the nearer anchor.
 template <Real R>
 std::vector<Rational> RiemannHilbertSolution<R>::places() const {
   const ContactSet<R>& set = contact_set();
@@ -229,7 +229,7 @@ std::vector<SurfacePoint<R>> RiemannHilbertSolution<R>::sampled_places(int count
   for (const auto& [first, end] : set.runs()) {
     R width = 0;
     for (std::size_t k = first; k < end; ++k) width += set.length(k);
-    // Each segment gets its part of the count, half of it by number and half by length.
+    // The points are distributed over the segments: one half equally, the other half in proportion to the length.
     R before = 0;
     int done = 0;
     for (std::size_t k = first; k < end; ++k) {
@@ -278,7 +278,8 @@ const TractionIntegrals<R>& RiemannHilbertSolution<R>::integrals() const {
 
 template <Real R>
 Estimate<R> RiemannHilbertSolution<R>::height_beyond(const SurfacePoint<R>& at) const {
-  // From the support's end on, u'/c is the continued profile's slope less Y B, which has the power of an end of contact.
+  // Beyond the support's end, u'/c is the continued profile's slope minus Y B, which has the power of an end of
+  // contact.
   const bool left = at.segment < 0;
   const std::size_t j = left ? 0 : contact_set().segments();
   const Side side = left ? Side::left : Side::right;
@@ -286,13 +287,13 @@ Estimate<R> RiemannHilbertSolution<R>::height_beyond(const SurfacePoint<R>& at) 
   const Power<R> power = contact_set().point(j).is_end() ? form_.power(j) : Power<R>{};
   Estimate<R> integral =
       tanh_sinh::panel_integral<R>({{R(0), distance, distance}, power, {}, [&](const Node<R>& node) {
-                                      // Nothing is closer to the end, and double has no larger powers.
+                                      // No place is closer to the end, and double cannot represent larger powers.
                                       const R d = std::max(node.from_left, reduced_.shortest_gap());
                                       const SurfacePoint<R> there = beside(contact_set(), j, side, d);
                                       const R y_b = (form_.profile_slope(there) - form_.surface_slope(there)).value;
                                       return R(y_b / pow(d, power.value));
                                     }});
-  // The error of the slope, added up over parts of a quarter of their distance from the end.
+  // The error of the slope, summed over parts whose length is a quarter of their distance from the end.
   R error = 0;
   for (R d = distance; d > 0; d /= 4) {
     const SurfacePoint<R> there = beside(contact_set(), j, side, d);
@@ -311,7 +312,7 @@ Estimate<R> RiemannHilbertSolution<R>::height(const SurfacePoint<R>& at, std::op
   const auto last = static_cast<std::ptrdiff_t>(set.segments()) - 1;
   const auto segment = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(at.segment, 0, last));
   const R scale = compliance_ * unit_;
-  // The profile from the anchor on the left, exact there.
+  // Measure the profile from the anchor on the left, where it is exact.
   const std::size_t anchor = set.interval(segment);
   const Rational& place = reduced_.place(anchor);
   const R from = to_real<R>(problem_.indenter().profile(place, Side::right)(place));
@@ -334,7 +335,7 @@ template <Real R>
 LinePlace<R> RiemannHilbertSolution<R>::line_place(const SurfacePoint<R>& at, std::optional<std::size_t> point) const {
   const ContactSet<R>& set = contact_set();
   LinePlace<R> place{0, infinity<R>(), infinity<R>()};
-  std::size_t end = 0;  // of the last segment in contact on the left
+  std::size_t end = 0;  // the end of the last segment in contact on the left
   for (const std::size_t k : set.contact_segments()) {
     const auto segment = static_cast<std::ptrdiff_t>(k);
     if (point ? k < *point : segment < at.segment) {
@@ -411,7 +412,7 @@ std::function<R(const R&)> RiemannHilbertSolution<R>::corner(std::size_t j, Side
     divisor = problem_.elasticity().compliance() * (1 + s * s);
     factor = 1 / pi<R>();
   }
-  // D in powers of d, exactly.
+  // D in powers of d, exact.
   const Polynomial jump = (indenter.profile(x, Side::right) - indenter.profile(x, Side::left)).derivative();
   const Polynomial beside = jump.composed(side == Side::left ? -1 : 1, x);
   const auto coefficients =
@@ -443,7 +444,7 @@ PiecewiseTraction<R> RiemannHilbertSolution<R>::piecewise_traction() const {
                 [&, k](const R& from_left, const R& from_right) {
                   const SurfacePoint<R> at = surface_point(set, k, R(from_left / unit_), R(from_right / unit_));
                   const Estimate<R> t = traction(at);
-                  // The place of x among the free ends is as uncertain as they are: twice their error.
+                  // The position of x relative to the free ends has their error: count it twice.
                   return R(16 * epsilon<R>() + 2 * relative_end_error(at) +
                            (t.value == 0 ? R(0) : R(t.error / abs(t.value))));
                 },

@@ -42,7 +42,7 @@ RoundedProblem<R>::RoundedProblem(const ContactProblem& problem, const Frame& fr
 
 template <Real R>
 R RoundedProblem<R>::profile_increment(std::size_t index, const R& from, const R& length) const {
-  // x^{j+1} - y^{j+1} = (x - y) (x^j + ... + y^j): nothing cancels over a short interval.
+  // x^{j+1} - y^{j+1} = (x - y) (x^j + ... + y^j), so nothing cancels for a short interval.
   const std::vector<R>& g = slopes_[index];
   const R to = from + length;
   R sum = 0;

@@ -1,6 +1,6 @@
 #pragma once
-// The reduced problem (model/reduced_problem.hpp) rounded to numbers of one type: each number once, from its exact value.
-// Nothing is a difference of two rounded numbers.
+// The reduced problem (model/reduced_problem.hpp) rounded to numbers of one type. Each number is rounded once, from its
+// exact value. No number is a difference of two rounded numbers.
 
 #include <array>
 #include <memory>
@@ -25,46 +25,48 @@ class RoundedProblem {
     R x;     ///< xi
     R step;  ///< height on the right minus height on the left; 0 at the support's ends
     int step_sign;
-    bool is_break;   ///< the profile changes here
+    bool is_break;   ///< the profile changes its polynomial here
     Rational wedge;  ///< the jump of g, exact
     R s_jump;        ///< s on the right minus s on the left, from the exact difference
   };
 
   const ContactProblem& problem() const { return *problem_; }
   const Frame& frame() const { return exact_.frame; }
-  /// The first and the last one are the support's ends.
+  /// Returns the anchors. The first and the last one are the support's ends.
   const std::vector<Anchor>& anchors() const { return anchors_; }
-  /// Of anchor k in the user's x.
+  /// Returns the place of anchor k in the user's x.
   Rational place(std::size_t k) const { return exact_.place(k); }
-  /// From anchor k to the next one.
+  /// Returns the distance from anchor k to the next one.
   const R& spacing(std::size_t k) const { return spacing_[k]; }
 
-  /// Interval k reaches from anchor k to the next one: which of slopes() and which friction piece hold there.
+  /// For interval k, from anchor k to the next one: the index into slopes(), and the friction piece.
   std::size_t slope_of(std::size_t interval) const { return exact_.intervals[interval].slope; }
   std::size_t friction_of(std::size_t interval) const { return exact_.intervals[interval].friction; }
-  /// The different polynomials g, coefficients of 1, xi, xi^2, ...
+  /// Returns the different polynomials g, as coefficients of 1, xi, xi^2, ...
   const std::vector<std::vector<R>>& slopes() const { return slopes_; }
   R slope(std::size_t index, const R& x) const { return value_of(slopes_[index], x); }
-  /// With what rounding may have done to it.
+  /// Returns the slope with its rounding error.
   Estimate<R> slope_estimate(std::size_t index, const R& x) const { return estimate_of(slopes_[index], x); }
-  /// Its error in units of epsilon.
+  /// Returns this error in units of epsilon.
   double slope_size(std::size_t index, const R& x) const { return rounding_size(slopes_[index], x); }
-  /// int g dxi from `from` on, over a length that may have more digits than the difference of two places.
+  /// Returns int g dxi over `length`, starting at `from`. The length may have more digits than the difference of two
+  /// places.
   R profile_increment(std::size_t index, const R& from, const R& length) const;
   int highest_degree() const { return highest_degree_; }
   std::size_t most_coupled() const { return most_coupled_; }
-  /// In xi: no shorter gap over a notch is followed. It has products that double cannot hold, where there may be many
-  /// components those of two such lengths (signed_fundamental_solution.hpp), and contact is looked for in double, whatever
-  /// the precision.
+  /// Returns the shortest gap over a notch that is followed, in xi. Products with a shorter length (with many
+  /// components, of two such lengths: signed_fundamental_solution.hpp) would be out of the range of double, in which
+  /// the contact is found for every precision.
   const R& shortest_gap() const { return shortest_gap_; }
 
   const R& s(std::size_t friction) const { return s_[friction]; }
   const R& cos_alpha(std::size_t friction) const { return cos_alpha_[friction]; }
   const R& load() const { return load_; }
-  /// Where the load acts, if the indenter may tilt.
+  /// Returns the place where the load acts, if the indenter may tilt.
   const std::optional<R>& load_at() const { return load_at_; }
 
-  /// May the traction blow up where contact ends at this anchor? At the support's ends and where a step protrudes.
+  /// True if the traction may blow up where contact ends at this anchor: at the support's ends and where a step
+  /// protrudes.
   bool edge_possible(End end, std::size_t anchor) const;
 
   /// A power of the traction, with its exact form.
@@ -73,7 +75,7 @@ class RoundedProblem {
     Power<R> power;
   };
   const Singularity& end(End end, bool edge, std::size_t friction) const;
-  /// Of the jump between two neighbouring intervals: 0 where the friction does not change.
+  /// Returns the singularity of the friction jump at an anchor; its power is 0 if the friction does not change.
   const Singularity& jump(std::size_t anchor) const;
 
  private:
@@ -93,7 +95,7 @@ class RoundedProblem {
   std::vector<R> cos_alpha_;
   R load_;
   std::optional<R> load_at_;
-  // An exponent costs more than a solve has steps: made when first asked for.
+  // An exponent is expensive compared with a solve, so it is computed at first use.
   std::shared_ptr<std::mutex> making_ = std::make_shared<std::mutex>();
   mutable std::vector<std::array<Slot, 4>> ends_;
   mutable std::vector<Slot> jumps_;

@@ -43,8 +43,8 @@ FundamentalSolution<R> solution_of(const ContactSet<R>& set, std::vector<Power<R
   return FundamentalSolution<R>(set.panels(), std::move(powers));
 }
 
-/// The end of each component whose power comes nearest to zero when it changes by one; a free end that does not move only if
-/// both are such.
+/// Returns the pivot of each component: the end whose power is nearest to zero after a change by one. A free end that
+/// cannot move is used only if both ends cannot move.
 template <Real R>
 std::vector<PivotOf<R>> pivots_of(const RoundedProblem<R>& problem, const ContactSet<R>& set,
                                   const std::vector<Power<R>>& powers) {
@@ -64,7 +64,7 @@ std::vector<PivotOf<R>> pivots_of(const RoundedProblem<R>& problem, const Contac
   return result;
 }
 
-/// The powers of the component that begins at point `first` sum to the number of its free ends less one.
+/// Returns the sum of the powers of the component that begins at point `first`: the number of its free ends minus one.
 template <Real R>
 int degree_of_component(const ContactSet<R>& set, std::size_t first) {
   std::size_t last = first + 1;
@@ -84,7 +84,7 @@ SignedFundamentalSolution<R>::SignedFundamentalSolution(const RoundedProblem<R>&
       signs_(set_.segments() + 2, 1),
       degree_(0) {
   assign_components();
-  int sum = 0;  // of the powers on the right of what is looked at: an integer between components
+  int sum = 0;  // sum of the powers on the right of the current point: an integer between components
   const auto even = [](int i) { return i % 2 == 0; };
   for (std::size_t k = set_.segments(); k-- > 0;) {
     const auto& right = set_.point(k + 1);

@@ -8,7 +8,7 @@
 namespace steadyslide::numeric {
 namespace {
 
-/// sum_k a_k x^k, and the sum of the sizes of what is added: `sizes` went into the a_k.
+/// Returns sum_k a_k x^k, and the sum of the absolute values of the terms; `sizes` belong to the a_k.
 template <Real R>
 Estimate<R> horner(const std::vector<R>& a, const std::vector<R>& sizes, const R& x) {
   R value = 0;
@@ -21,7 +21,7 @@ Estimate<R> horner(const std::vector<R>& a, const std::vector<R>& sizes, const R
   return {value, size};
 }
 
-/// [(g + tilt)/Y]_poly - q/pi.
+/// Returns [(g + tilt)/Y]_poly - q/pi.
 template <Real R>
 std::vector<Estimate<R>> polynomial_of(const ExpansionAtInfinity<R>& expansion, std::vector<R> g, const R& tilt,
                                        const std::vector<R>& q) {
@@ -165,13 +165,13 @@ template <Real R>
 R TractionRepresentation<R>::error_of_state(const SurfacePoint<R>& at, const StateErrors<R>& errors) const {
   const std::vector<R> distances = this->distances(at);
   const auto& pivots = y_->pivots();
-  // Between two points, however short a gap they face each other over.
+  // The distance between two points, accurate for any length of the gap between them.
   const auto apart = [&](std::size_t i, std::size_t j) {
     const R d = abs(distances[i] - distances[j]);
     if (d > sqrt(epsilon<R>()) * abs(distances[i])) return d;
     return set().sum_of_lengths(std::min(i, j), std::max(i, j), R(0));
   };
-  // |f - e|^order; of a component's own pivot f = e the term is (x - e)^order/(x - e), without a pole for order 1.
+  // |f - e|^order. For a component's own pivot f = e, the term is (x - e)^order/(x - e), which has no pole for order 1.
   const auto pivot_factor = [&](std::size_t f, std::size_t component, bool is_pivot) {
     const auto& [pivot, order] = pivots[component];
     if (order == 0) return R(1);
@@ -208,7 +208,7 @@ R TractionRepresentation<R>::error_of_state(const SurfacePoint<R>& at, const Sta
 
 template <Real R>
 std::vector<JacobiPanel<R>> TractionRepresentation<R>::error_panels(const SegmentPart<R>& part) const {
-  // A displaced end takes one from its power.
+  // A displacement of an end lowers its power by one.
   const std::function<Power<R>(std::size_t)> power_at = [this](std::size_t j) {
     const Power<R>& p = power(j);
     return set().point(j).is_movable() ? Power<R>{p.value - 1, p.value} : p;
@@ -279,7 +279,8 @@ Estimate<R> TractionRepresentation<R>::load_on(std::size_t segment) const {
 
 template <Real R>
 std::vector<Estimate<R>> TractionRepresentation<R>::moments(std::size_t count) const {
-  // The expansion at infinity would be a small difference of large terms where components are small beside their gaps.
+  // If components are small compared with their gaps, the expansion at infinity would be a small difference of large
+  // terms.
   if (set().components() > 1) {
     std::vector<Estimate<R>> result = quadrature_.moments(tilt_, count);
     for (const std::size_t j : poles_) {
@@ -291,7 +292,8 @@ std::vector<Estimate<R>> TractionRepresentation<R>::moments(std::size_t count) c
     }
     return result;
   }
-  // One component: any k will do, and the polynomial's part is exact. That of the longest segment is smallest there.
+  // One component: every k gives the same result, and the polynomial part is exact. For the k of the longest segment,
+  // the integral is smallest.
   std::size_t longest = set().all(ContactSet<R>::Kind::begins).front();
   for (std::size_t segment = 0; segment < set().segments(); ++segment) {
     if (set().in_contact(segment) && set().length(segment) > set().length(longest)) longest = segment;
@@ -305,7 +307,7 @@ std::vector<Estimate<R>> TractionRepresentation<R>::moments(std::size_t count) c
 
 template <Real R>
 Estimate<R> TractionRepresentation<R>::moment_of_load() const {
-  // u'/c = -(1/pi) (int t/z + int xi t/z^2 + ...), and it is Y (m_0/z + ... + q/pi).
+  // u'/c = -(1/pi) (int t/z + int xi t/z^2 + ...) = Y (m_0/z + ... + q/pi).
   const int degree = degree_at_infinity();
   const auto count = static_cast<std::size_t>(std::max(degree + 2, 0));
   const std::vector<Estimate<R>> m = moments(count);

@@ -1,13 +1,14 @@
 #pragma once
-// The solution of a contact problem, as a closed form and every solver return it. All values in the user's units and x.
+// The solution of a contact problem, as closed forms and all solvers return it. All values are in the user's units and
+// x.
 //
 // Signs: traction t <= 0; shear is the tangential traction's component along +x; gap = psi - u - C >= 0; slope = u'.
-// Intensities theta >= 0 where t <= 0 demands it: t = -theta d^lambda at ends, t = constant - theta |x-c|^beta cos(pi
+// Intensities: theta >= 0 where t <= 0 requires it. t = -theta d^lambda at ends, t = constant - theta |x-c|^beta cos(pi
 // alpha) at friction jumps.
 //
-// u is measured from where x = 0, or from the support's left end if x = 0 lies outside of it; T is the load up to a place:
+// u is 0 at x = 0, or at the support's left end if x = 0 lies outside the support. T is the load up to a place:
 //
-//   u(x) = psi + tilt x - gap - C in the support, int u' dx beyond it,   T(x) = -int_-inf^x t dx',
+//   u(x) = psi + tilt x - gap - C on the support, int u' dx beyond it,   T(x) = -int_-inf^x t dx',
 //   u_t'/c = (1/pi) PV int t_t/(x'-x) dx' + gamma t,   t_t = -f t sliding towards +x, f t towards -x.  [Bal16, (2)]
 
 #include <memory>
@@ -35,15 +36,15 @@ using SolvedSingularPoint = SingularPointOf<Estimate<R>>;
 template <Real R>
 using TwoSided = TwoSidedOf<Estimate<R>>;
 
-/// A gap over a notch of the profile, inside the contact, that is too short to have ends of its own: a solution has
-/// contact there, with a traction that turns to tension within about this length of x.
+/// A gap over a notch of the profile, inside the contact, that is too short to have its own ends. The solution has
+/// contact there, with a traction that changes to tension within about this length of x.
 template <Real R>
 struct UnresolvedGap {
   Estimate<R> x;
-  double log10_length;  ///< by order of magnitude
+  double log10_length;  ///< order of magnitude
 };
 
-/// theta' (2 pi)^-lambda, theta' = theta at an end, theta cos(pi alpha) at a jump.
+/// Returns theta' (2 pi)^-lambda, with theta' = theta at an end and theta' = theta cos(pi alpha) at a jump.
 template <Real R>
 Estimate<R> stress_intensity_of(const Estimate<R>& coefficient, const R& exponent) {
   return pow(R(2 * pi<R>()), -exponent) * coefficient;
@@ -51,24 +52,24 @@ Estimate<R> stress_intensity_of(const Estimate<R>& coefficient, const R& exponen
 
 template <Real R>
 struct Resultants {
-  Estimate<R> normal;                       ///< -int t, the load as it comes out of the traction
+  Estimate<R> normal;                       ///< -int t, the load computed from the traction
   Estimate<R> tangential;                   ///< |int f t| >= 0
   Estimate<R> centre_of_pressure;           ///< int x t / int t
   Estimate<R> effective_friction;           ///< tangential / normal
-  std::vector<Estimate<R>> load_share;      ///< the part of the load under each friction value, left to right, sum 1
+  std::vector<Estimate<R>> load_share;      ///< load share under each friction value, left to right; their sum is 1
   std::vector<Estimate<R>> component_load;  ///< -int t over each contact component, left to right
 };
 
-/// The supremum of the pressure -t. Where it is infinite, x is where it blows up most: by its power, then by its
-/// intensity, then the leftmost place.
+/// The supremum of the pressure -t. If it is infinite, x is the place of the strongest blow-up: compared by power, then
+/// by intensity; among equals the leftmost place.
 template <Real R>
 struct LargestPressure {
   Estimate<R> value;
   Estimate<R> x;
-  std::optional<Exponent> exponent;  ///< of an infinite one; absent for a logarithm
+  std::optional<Exponent> exponent;  ///< if infinite: its exponent; absent for a logarithm
 };
 
-/// From the load under each friction value, `loads[k]` = -int t under friction[k]. Without the centre of pressure.
+/// Returns the resultants without the centre of pressure, from `loads[k]` = -int t under friction[k].
 template <Real R>
 Resultants<R> resultants_of(const std::vector<Estimate<R>>& loads, const std::vector<Rational>& friction) {
   Resultants<R> result;
@@ -81,7 +82,7 @@ Resultants<R> resultants_of(const std::vector<Estimate<R>>& loads, const std::ve
   return result;
 }
 
-/// Relative residuals, measured by a rule unrelated to the one that found the solution.
+/// Relative residuals, measured by a quadrature rule that is independent of the one that found the solution.
 template <Real R>
 struct Residuals {
   R equation;     ///< max |A t - u'/c| / max(|u'/c|, |s t|, |H t|, |t|) over points of every panel
@@ -90,7 +91,7 @@ struct Residuals {
   R tension;      ///< max(t, 0) (contact length) / P
 };
 
-/// Largest relative errors that the method itself expects.
+/// The largest relative errors, as the method itself estimates them.
 template <Real R>
 struct EstimatedError {
   R ends;
@@ -98,12 +99,12 @@ struct EstimatedError {
   R resultants;
 };
 
-/// The tangential traction under piece k of the friction: none without friction, under an infinite pressure, too.
+/// Returns the tangential traction under friction piece k. Without friction it is 0, also under an infinite pressure.
 template <Real R>
 Estimate<R> shear_of(const ContactProblem& problem, std::size_t k, const Estimate<R>& traction) {
   const R ratio = to_real<R>(problem.shear_ratio(k));
   if (ratio == 0) return {};
-  // The ratio is rounded, and so is the product.
+  // The ratio and the product are both rounded.
   return ratio * (isinf(traction.value) ? traction : traction.widened(epsilon<R>()));
 }
 
@@ -116,7 +117,7 @@ struct Sample {
   TwoSided<R> slope;
 };
 
-/// What integrals of the traction add to a sample: each costs a quadrature.
+/// A sample with integrals of the traction. Each integral costs a quadrature.
 template <Real R>
 struct DetailedSample : Sample<R> {
   Estimate<R> displacement;     ///< u
@@ -137,25 +138,26 @@ class ContactSolution {
   virtual ~ContactSolution() = default;
 
   virtual std::string method() const = 0;
-  /// Empty where every condition of the problem holds; otherwise what the best state reached violates, in words.
+  /// Returns the condition that the best state violates, in words; empty if every condition of the problem holds.
   virtual std::string failed_condition() const { return {}; }
   virtual std::vector<ContactComponent<R>> contact() const = 0;
-  /// Left to right.
+  /// Returns the gaps from left to right.
   virtual std::vector<UnresolvedGap<R>> unresolved_gaps() const { return {}; }
-  /// Where contact is, in plain exact numbers: what a proof starts from.
+  /// Returns the contact in exact numbers. A proof starts from it.
   virtual ApproximateContact approximate_contact() const { return {}; }
   virtual std::vector<SolvedSingularPoint<R>> singular_points() const = 0;
   virtual Resultants<R> resultants() const = 0;
-  /// Found between singular points by the pressure's critical points, none of which is missed as far as estimates tell.
+  /// Returns the largest pressure. Between singular points it compares the pressure's critical points; according to the
+  /// error estimates none is missed.
   virtual LargestPressure<R> largest_pressure() const = 0;
-  /// The slope added to psi where the indenter may tilt; absent where it may not.
+  /// Returns the slope that is added to psi; absent if the indenter may not tilt.
   virtual std::optional<Estimate<R>> tilt() const { return std::nullopt; }
   virtual EstimatedError<R> estimated_error() const = 0;
   virtual Residuals<R> residuals() const = 0;
-  /// Everything at one place of the surface, inside the support or not.
+  /// Returns all values at one place of the surface, inside or outside the support.
   virtual Sample<R> at(const Rational& x) const = 0;
-  /// Tractions at many places, and the shear along +x there, without gap, slope and errors; where the limits of at()
-  /// differ, those of the larger pressure. Spans of one length.
+  /// Computes tractions and the shear along +x at many places, without gap, slope and errors. If the limits of at()
+  /// differ, it takes the limits of the larger pressure. The spans have the same length.
   virtual void tractions(std::span<const R> x, std::span<R> normal, std::span<R> shear) const {
     for (std::size_t i = 0; i < x.size(); ++i) {
       const Sample<R> there = at(Rational(x[i]));
@@ -165,16 +167,16 @@ class ContactSolution {
       shear[i] = (there.shear.*larger).value;
     }
   }
-  /// The traction panel by panel: what stresses below the surface and loads on a mesh are made of.
+  /// Returns the traction panel by panel. Stresses below the surface and loads on a mesh are computed from it.
   virtual PiecewiseTraction<R> piecewise_traction() const = 0;
-  /// `count` places in each contact component and in each gap of the support, denser towards singular points.
+  /// Returns `count` places in each contact component and in each gap of the support, denser towards singular points.
   virtual std::vector<Sample<R>> samples(int count) const = 0;
-  /// at() and samples() with all that is known of a place.
+  /// The same as at() and samples(), with all quantities.
   virtual DetailedSample<R> details_at(const Rational& x) const = 0;
   virtual std::vector<DetailedSample<R>> detailed_samples(int count) const = 0;
 };
 
-/// The sum of the components' widths.
+/// Returns the sum of the components' widths.
 template <Real R>
 Estimate<R> real_contact_length(const std::vector<ContactComponent<R>>& contact) {
   Estimate<R> length;
@@ -182,15 +184,15 @@ Estimate<R> real_contact_length(const std::vector<ContactComponent<R>>& contact)
   return length;
 }
 
-/// A solution, or why the method does not apply to the problem.
+/// A solution, or the reason why the method does not apply to the problem.
 template <Real R>
 struct Attempt {
   std::shared_ptr<const ContactSolution<R>> solution;
   std::string reason;
 };
 
-/// The closed forms known so far: the flat punch in full contact, and the parabola whose contact stays inside the
-/// support, both with any number of friction jumps.
+/// Solves by a closed form: the flat punch in full contact, or the parabola whose contact stays inside the support,
+/// both with any number of friction jumps.
 template <Real R>
 Attempt<R> closed_form(const ContactProblem& problem);
 

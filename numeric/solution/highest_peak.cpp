@@ -10,12 +10,12 @@ namespace steadyslide::numeric {
 namespace {
 
 constexpr int nodes = 16;
-/// What an interpolant may miss, relative to the largest value.
+/// The error allowed for an interpolant, relative to the largest value.
 constexpr double resolved = 1e-10;
-/// Parts are not halved more often.
+/// The largest number of halvings of a part.
 constexpr int most_halvings = 60;
 
-/// sum_k c_k T_k(v), -1 <= v <= 1.
+/// Returns sum_k c_k T_k(v), -1 <= v <= 1.
 template <Real R>
 using Series = std::array<R, nodes>;
 
@@ -47,7 +47,7 @@ R size_of(const Series<R>& c, std::size_t first = 0) {
   return sum;
 }
 
-/// T_k at node i: cos(pi k (2 i + 1)/32), and of v the parts 1 + v and 1 - v, over 2.
+/// T_k at node i, cos(pi k (2 i + 1)/32), and (1 + v)/2 and (1 - v)/2 at the nodes v.
 template <Real R>
 struct Nodes {
   std::array<Series<R>, nodes> cosine;
@@ -71,7 +71,7 @@ struct Nodes {
   }
 };
 
-/// A part of a panel, and the function there.
+/// A part of a panel, with the values of the function there.
 template <Real R>
 struct Part {
   std::size_t panel;
@@ -111,7 +111,7 @@ class PeakSearch {
     const auto higher = [](const Peak<R>& a, const Peak<R>& b) { return a.value.value > b.value.value; };
     std::stable_sort(result.begin(), result.end(), higher);
     if (result.empty()) return result;
-    // Lower ones, and the highest one seen again from another part.
+    // Remove lower peaks, and the highest one if another part found it again.
     const auto is_no_other = [best = result[0]](const Peak<R>& peak) {
       return peak.value.value + peak.value.error < best.value.value - best.value.error ||
              (peak.panel == best.panel && abs(peak.from_left - best.from_left) <= peak.place_error + best.place_error);
@@ -121,7 +121,7 @@ class PeakSearch {
   }
 
  private:
-  /// A peak above this value may turn out to be the highest, when its place is known more exactly.
+  /// Returns the value above which a peak may be the highest after refinement of its place.
   R least() const { return std::max(floor_, R(best_ - resolved * abs(best_))); }
 
   void add(Part<R> part) {
@@ -153,14 +153,14 @@ class PeakSearch {
     return *highest;
   }
 
-  /// f at a place of a part, by its distances from the part's ends over the length.
+  /// Returns f at a place of a part, given by its distances from the part's ends, divided by the length.
   Peak<R> peak_at(const Part<R>& part, const R& left, const R& right) const {
     const R from_left = part.from_left + left * part.length;
     const R from_right = part.from_right + right * part.length;
     return {part.panel, from_left, from_right, f_(part.panel, from_left, from_right), part.length};
   }
 
-  /// The largest value of the interpolant, if it may be the largest of all.
+  /// Finds the largest value of the interpolant, if it may be the largest of all.
   void search(const Part<R>& part) {
     const Series<R> first = derivative(part.series);
     const R curvature = size_of(derivative(first));
@@ -184,8 +184,8 @@ class PeakSearch {
     best_ = std::max(best_, found_.back().value.value);
   }
 
-  /// On so short a part around the peak that an interpolant is exact there, to the zero of its derivative; a zero beyond
-  /// the part is where the next one is looked at.
+  /// Returns the peak at the zero of the derivative of an interpolant, on a part around the peak that is so short that
+  /// the interpolant is exact. If the zero lies beyond the part, the next part is around this zero.
   Peak<R> refined(Peak<R> peak) const {
     constexpr int most_attempts = 8;
     R half = peak.place_error;

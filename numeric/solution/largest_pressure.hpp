@@ -1,13 +1,13 @@
 #pragma once
-// The supremum of the pressure: where it is infinite what singular points say of it, otherwise the highest of its peaks.
+// The supremum of the pressure: if it is infinite, from the singular points; otherwise the highest peak.
 
 #include "numeric/solution/contact_solution.hpp"
 #include "numeric/solution/highest_peak.hpp"
 
 namespace steadyslide::numeric {
 
-/// Where the traction blows up: by a power below 0, or by a logarithm, also of unknown intensity. None where it does so
-/// nowhere.
+/// Returns the place where the traction blows up, by a power below 0 or by a logarithm, also if its intensity is
+/// unknown. Absent if it blows up nowhere.
 template <Real R>
 std::optional<LargestPressure<R>> infinite_pressure(const std::vector<SolvedSingularPoint<R>>& points) {
   const auto power = [](const SolvedSingularPoint<R>& point) {
@@ -26,8 +26,8 @@ std::optional<LargestPressure<R>> infinite_pressure(const std::vector<SolvedSing
   return LargestPressure<R>{{infinity<R>(), R(0)}, worst->x, worst->exponent};
 }
 
-/// The highest peak of the pressure on panels of these lengths, at the place `x_of` it, or `known` where none is higher. The
-/// error of the place reaches to other peaks, which may be the highest.
+/// Returns the highest peak of the pressure on panels of these lengths, with its place from `x_of`; `known` if no peak
+/// is higher. The error of the place covers other peaks that may be the highest.
 template <Real R>
 LargestPressure<R> finite_pressure(const LargestPressure<R>& known, const std::vector<R>& lengths,
                                    const PanelFunction<R>& pressure,

@@ -8,7 +8,7 @@
 namespace steadyslide::numeric {
 namespace {
 
-/// An element's shape functions at the distances given from its ends, in parts of its length.
+/// Returns an element's shape functions at the given distances from its ends, which are fractions of its length.
 template <Real R>
 R shape_function(int order, int node, const R& from_left, const R& from_right) {
   if (order == 1) return node == 0 ? from_right : from_left;
@@ -34,7 +34,7 @@ std::vector<Element<R>> elements_of(const SurfaceMesh& mesh) {
   return result;
 }
 
-/// Adds the part of a panel that lies on an element.
+/// Adds the forces of the part of a panel that lies on an element.
 template <Real R>
 void add(const PiecewiseTraction<R>& traction, const TractionPanel<R>& panel, const Element<R>& element, int order,
          TractionNodes<R>& nodes, NodalForce<R>* forces) {

@@ -3,8 +3,9 @@
 //
 //   normal_i = -int t N_i dx   along +z, into the body,      tangential_i = int t_t N_i dx   along +x,
 //
-// per unit of thickness. The panels of the traction are cut at the ends of elements, and the power at the end of a panel is
-// its rule's weight: nothing but rounding is left. The forces sum up to the load, and their moments to its moment.
+// per unit of thickness. The panels of the traction are divided at the ends of elements, and the power at the end of a
+// panel is the weight of its rule, so there are only rounding errors. The sum of the forces is the load, and the sum of
+// their moments is its moment.
 
 #include <vector>
 
@@ -20,7 +21,8 @@ struct NodalForce {
   Estimate<R> tangential;
 };
 
-/// One for each node. Throws InvalidData of "nodes[i]", the first or the last one, beyond which there is contact.
+/// Returns one force for each node. Throws InvalidData with field "nodes[i]", where i is the first or the last node, if
+/// there is contact beyond that node.
 template <Real R>
 std::vector<NodalForce<R>> nodal_forces(const PiecewiseTraction<R>& traction, const SurfaceMesh& mesh);
 

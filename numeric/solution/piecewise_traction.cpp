@@ -8,8 +8,8 @@
 namespace steadyslide::numeric {
 namespace {
 
-/// What lies between a corner at one end of the part and the other end, halved towards it until nothing is left; left to
-/// right.
+/// Divides a part with a corner at one end: halves it towards the corner until the rest is negligible. The result is
+/// ordered from left to right.
 template <Real R>
 std::vector<GradedPanel<R>> towards_corner(GradedPanel<R> part) {
   const Side corner = *part.singular_end;
@@ -29,14 +29,14 @@ std::vector<GradedPanel<R>> towards_corner(GradedPanel<R> part) {
   return result;
 }
 
-/// values[i] = g(values[i]), g a series of Chebyshev's polynomials of 2y - 1.
+/// Replaces values[i] by g(values[i]), where g is a series of Chebyshev's polynomials of 2y - 1.
 template <Real R>
 void evaluate(std::span<const R> coefficients, std::span<R> values) {
   if (coefficients.size() == 1) {
     std::fill(values.begin(), values.end(), coefficients[0]);
     return;
   }
-  // Clenshaw's recurrence, for a few places at a time side by side.
+  // Clenshaw's recurrence, for several places together.
   constexpr std::size_t most = 32;
   R one[most], two[most], twice[most];
   for (std::size_t begin = 0; begin < values.size(); begin += most) {
@@ -58,7 +58,7 @@ void evaluate(std::span<const R> coefficients, std::span<R> values) {
   }
 }
 
-/// y^power, in double by vectors of logarithms.
+/// Computes y^power; in double by vectorised logarithms.
 template <Real R>
 std::vector<R> powers_of(std::span<const R> y, const R& power) {
   std::vector<R> result(y.begin(), y.end());
@@ -78,7 +78,7 @@ PiecewiseTraction<R>::PiecewiseTraction(Elasticity elasticity, int degree)
     : elasticity_(std::move(elasticity)), rules_(std::make_shared<JacobiRules<R>>()) {
   const R digits = -log(epsilon<R>());
   degree_ = static_cast<std::size_t>(static_cast<int>(digits / log(3 + sqrt(R(8)))) + 4 + degree);
-  // A double pole a panel's length above its middle.
+  // For a double pole at one panel length above the middle.
   rule_size_ = static_cast<int>(digits / (2 * log(2 + sqrt(R(5))))) + 5 + (degree + 1) / 2;
   legendre_ = &rules_->get({}, {}, rule_size_);
   const int n = static_cast<int>(degree_) + 1;
@@ -139,7 +139,7 @@ void PiecewiseTraction<R>::add_corner(const TractionSegment<R>& segment, const G
   const bool at_left = part.singular_end == Side::left;
   const Power<R>& power = at_left ? segment.left_power : segment.right_power;
   const auto& q = at_left ? segment.left_corner : segment.right_corner;
-  // As y^p g + q (1 - y^p), or g + q log y: with neighbouring p and q, however large, nothing cancels.
+  // Written as y^p g + q (1 - y^p), or g + q log y, nothing cancels, also for a large q.
   const auto beside = [&](const R& y) {
     const R logarithm = log(y);
     const R factor = power.value == 0 ? logarithm : R(-expm1(R(power.value * logarithm)));
@@ -162,7 +162,7 @@ void PiecewiseTraction<R>::add_corner(const TractionSegment<R>& segment, const G
     evaluate<R>(series, result);
     for (std::size_t i = 0; i < result.size(); ++i) result[i] = pow(ys[i], power.value) * result[i] + beside(ys[i]);
   };
-  // Beside a constant a power that vanishes is nothing.
+  // Beside a constant, a power that vanishes is negligible.
   const Power<R> kept = power.value < 0 ? power : Power<R>{};
   for (const GradedPanel<R>& smaller : towards_corner(part)) add_panel(local, smaller, kept);
 }
@@ -183,7 +183,7 @@ void PiecewiseTraction<R>::add_panel(const TractionSegment<R>& segment, const Gr
   values = chebyshev_series(values);
   const R half = part.length / 2;
   const R end_error = !is_power ? R(0) : mirrored ? segment.right_error : segment.left_error;
-  // At the middle, and what a displaced end changes in all.
+  // The error at the middle, and the change due to displaced ends.
   const R error = segment.relative_error(part.from_left + half, part.from_right + half) + 2 * end_error / part.length;
   const auto place = [&](const R& left, const R& right) {
     return left <= right ? segment.left.moved(left) : segment.right.moved(-right);
@@ -202,7 +202,7 @@ void PiecewiseTraction<R>::add_panel(const TractionSegment<R>& segment, const Gr
                          R(0),
                          end_error};
   if (is_power) panel.rule = &rules_->get(power, {}, rule_size_);
-  // Without a power y counts from the left.
+  // If there is no power, y is measured from the left.
   for (std::size_t k = 1; mirrored && !is_power && k < values.size(); k += 2) values[k] = -values[k];
   coefficients_.insert(coefficients_.end(), values.begin(), values.end());
   panels_.push_back(std::move(panel));

@@ -1,4 +1,4 @@
-// Does the contact problem have more than one solution? Different contact sets lead to what they lead to.
+// Searches for several solutions of a contact problem, from different initial contact sets.
 
 #include <algorithm>
 #include <cmath>
@@ -18,11 +18,11 @@ namespace {
 
 constexpr std::size_t start_cells = 64;
 
-/// Start number 0 is the whole support; others have one to four stretches of contact of any lengths.
+/// Returns start set `number`. Number 0 is the whole support; others have one to four contact zones of random lengths.
 variational::CellSet start_set(int number, std::mt19937_64& random) {
   variational::CellSet set(start_cells, number == 0 ? 1 : 0);
   if (number == 0) return set;
-  // By hand: the distributions of the standard library differ from one to the next.
+  // Not a distribution of the standard library, because these differ between implementations.
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
   for (std::size_t stretches = 1 + below(4); stretches-- > 0;) {
     const std::size_t from = below(start_cells);
@@ -32,7 +32,7 @@ variational::CellSet start_set(int number, std::mt19937_64& random) {
   return set;
 }
 
-/// int |t - t'| / P.
+/// Returns int |t - t'| / P.
 double difference(const VariationalSolution& a, const VariationalSolution& b) {
   const std::vector<double>& p = a.found().fine.found.state.pressure;
   const std::vector<double>& q = b.found().fine.found.state.pressure;
@@ -41,13 +41,13 @@ double difference(const VariationalSolution& a, const VariationalSolution& b) {
   return sum / static_cast<double>(p.size());
 }
 
-/// The Riemann-Hilbert solution of the same contact; none if it went elsewhere.
+/// Returns the Riemann-Hilbert solution with the same contact; null if the search led to another contact.
 std::shared_ptr<const ContactSolution<double>> refined(const ContactProblem& problem,
                                                        const VariationalSolution& rough) {
   if (may_have_many_gaps(problem)) return nullptr;
   const Attempt<double> attempt = riemann_hilbert<double>(problem, &rough);
   if (!attempt.solution || !attempt.solution->failed_condition().empty()) return nullptr;
-  // The same to within a few cells: a loose bound, solutions that are two are far from each other.
+  // The contacts agree within a few cells. This loose bound is sufficient, because different solutions are far apart.
   const Resultants<double> a = attempt.solution->resultants();
   const Resultants<double> b = rough.resultants();
   const auto& runs = rough.runs();
@@ -99,13 +99,13 @@ SolutionSearch search_solutions(const ContactProblem& problem, int starts, const
   std::mutex reporting;
   std::vector<std::size_t> done_by(static_cast<std::size_t>(starts), 0);
   for (int first = 0; first < starts; first += together) {
-    // As many at a time as there are cores; taken in their order, so that the answer does not depend on it.
+    // Solve in parallel on all cores. Results are taken in order, so the answer does not depend on the number of cores.
     std::vector<std::future<std::shared_ptr<const VariationalSolution>>> solved;
     for (int number = first; number < std::min(first + together, starts); ++number) {
       VariationalOptions each = options;
       each.friction_rule = variational::FrictionRule::galerkin;
       if (options.progress) {
-        // One progress of all searches, whichever thread they are in.
+        // Report the common progress of all searches, from any thread.
         each.progress = [&, number](std::size_t done, std::size_t total) {
           const std::lock_guard lock(reporting);
           done_by[static_cast<std::size_t>(number)] = done;

@@ -1,6 +1,6 @@
 #pragma once
-// A place x of the surface as two numbers, x = high + low, low = x - high rounded. The difference of two places is right to
-// about epsilon relative to itself, however close they are, as long as it is above epsilon^2 |x|.
+// A place x of the surface as two numbers, x = high + low, low = x - high rounded. The difference of two places has a
+// relative error of about epsilon, also if they are very close, as long as it exceeds epsilon^2 |x|.
 
 #include "numeric/number/real.hpp"
 
@@ -17,9 +17,9 @@ struct SurfacePlace {
   }
 
   friend R operator-(const SurfacePlace& a, const SurfacePlace& b) { return (a.high - b.high) + (a.low - b.low); }
-  /// Moved along +x.
+  /// Returns the place moved along +x.
   SurfacePlace moved(const R& distance) const {
-    // What high + distance loses.
+    // The digits that high + distance loses.
     const R sum = high + distance;
     const R part = sum - high;
     const R rest = low + ((high - (sum - part)) + (distance - part));

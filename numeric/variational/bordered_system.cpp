@@ -18,8 +18,8 @@ using Load = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 2, 1>;
 
 double largest(const Vector& v) { return v.size() == 0 ? 0 : v.cwiseAbs().maxCoeff(); }
 
-/// What stands beside B and below it in the equations of a contact set: E, the columns 1 and -xi, and the weights W of the
-/// pressures in the loads, h and h xi.
+/// The borders of B in the equations of a contact set: E, the columns 1 and -xi, and the weights W of the pressures in
+/// the loads, h and h xi.
 struct LoadColumns {
   Eigen::MatrixXd columns;
   Eigen::MatrixXd weights;
@@ -40,7 +40,7 @@ LoadColumns load_columns(const DiscreteProblem& problem, const std::vector<std::
   return result;
 }
 
-/// The entries of a vector over all cells that belong to `cells`.
+/// Returns the entries for `cells` of a vector over all cells.
 Vector gathered(std::span<const double> all, const std::vector<std::size_t>& cells) {
   return Eigen::Map<const Vector>(all.data(), static_cast<Eigen::Index>(all.size()))(cells);
 }
@@ -49,7 +49,8 @@ void scatter(const Vector& v, const std::vector<std::size_t>& cells, std::vector
   Eigen::Map<Vector>(all.data(), static_cast<Eigen::Index>(all.size()))(cells) = v;
 }
 
-/// The state of a mesh of `size` cells with these pressures on some of them; the constants are approach and tilt.
+/// Returns the state of a mesh of `size` cells with these pressures on some of them; the constants are approach and
+/// tilt.
 DiscreteState state_on(const std::vector<std::size_t>& cells, std::size_t size, const Vector& pressure,
                        const Vector& constants) {
   DiscreteState result{std::vector<double>(size), constants(0), constants.size() == 2 ? constants(1) : 0};
@@ -104,13 +105,14 @@ class Dense : public BorderedSystem {
 constexpr int basis_size = 40;
 constexpr int most_cycles = 12;
 
-/// Of zones that are inverted by themselves: their matrix is factorised in the time of some products.
+/// The largest number of zones that are inverted separately. Their matrix is factorised in the time of a few products.
 std::size_t most_zones(std::size_t cells) {
   return static_cast<std::size_t>(8 * std::cbrt(static_cast<double>(cells))) / ZoneCoupling::points;
 }
 
-/// GMRES for B p - E c = rhs, W^T p = loads, preconditioned by the same system with the surface's approximate inverse M^-1 in place of B^-1: the loads are then met exactly throughout,
-/// and the Krylov space is one of residuals on the contact cells. [SS86]
+/// GMRES for B p - E c = rhs, W^T p = loads. The preconditioner is the same system with the approximate inverse M of
+/// the surface in place of B^-1. So the loads are exact in every iterate, and the Krylov space contains residuals on
+/// the contact cells. [SS86]
 class Krylov : public BorderedSystem {
  public:
   Krylov(const DiscreteProblem& problem, const CellSet& contact, const DiscreteState& guess, double tolerance,
@@ -147,7 +149,7 @@ class Krylov : public BorderedSystem {
 
   SystemSolution refined(double tolerance) override {
     tolerance_ = tolerance;
-    // A cycle that has little room left ends here.
+    // End a cycle whose basis is nearly full.
     if (2 * static_cast<Eigen::Index>(rotations_.size()) > hessenberg_.cols()) begin_cycle();
     return solution();
   }
@@ -167,7 +169,7 @@ class Krylov : public BorderedSystem {
     return p;
   }
 
-  /// The inverse is made for the contact's zones, and what they do to each other.
+  /// Prepares the inverse for the contact zones and their coupling.
   void prepare_inverse() {
     const std::vector<CellRange> zones = contact_zones(in_hull_, most_zones(problem_.size()));
     hull_->inverse.restrict_to(zones);
@@ -183,7 +185,7 @@ class Krylov : public BorderedSystem {
     Vector p;
     Load c;
   };
-  /// M p - E c = r, W^T p = load.
+  /// Solves the preconditioner's system with the residual r and the given load.
   Correction preconditioned(const Vector& r, const Load& load) {
     Vector p = inverse(r);
     const Load c = border_ * (load - load_.weights.transpose() * p);
@@ -196,7 +198,8 @@ class Krylov : public BorderedSystem {
     constants_ += step.c;
   }
 
-  /// Is the cycle's residual below the tolerance in each of its entries? It is formed only where its 2-norm leaves that open.
+  /// True if each entry of the cycle's residual is below the tolerance. The residual is computed only if its 2-norm
+  /// does not decide this.
   bool is_small() const {
     auto k = static_cast<Eigen::Index>(rotations_.size());
     const double rest = std::abs(rest_(k));
@@ -209,7 +212,7 @@ class Krylov : public BorderedSystem {
     return largest(basis_.leftCols(along.size()) * along) <= goal;
   }
 
-  /// GMRES starts from here.
+  /// Starts a cycle of GMRES from the current pressures.
   void begin_cycle() {
     const auto most = std::min<Eigen::Index>(basis_size, residual_.size());
     const double start = residual_.norm();
@@ -223,12 +226,12 @@ class Krylov : public BorderedSystem {
     first_constants_ = constants_;
   }
 
-  /// One step of the cycle.
+  /// Makes one step of the cycle.
   void step() {
     const auto k = static_cast<Eigen::Index>(rotations_.size());
     const Correction z = preconditioned(basis_.col(k), Load::Zero(load_.columns.cols()));
     Vector image = operate(z.p, z.c);
-    // Twice is enough: Gram-Schmidt with all vectors at once.
+    // Classical Gram-Schmidt; two passes are sufficient.
     for (int pass = 0; pass < 2; ++pass) {
       const Vector along = basis_.leftCols(k + 1).transpose() * image;
       image.noalias() -= basis_.leftCols(k + 1) * along;
@@ -246,7 +249,7 @@ class Krylov : public BorderedSystem {
     basis_.col(k + 1) = image / (norm > 0 ? norm : 1);
   }
 
-  /// The cycle goes on until its residual is small or its basis full; then pressures and residual are those of its end.
+  /// Continues the cycle until its residual is small or its basis is full, and then sets pressures and residual.
   void end_cycle() {
     while (rotations_.size() < static_cast<std::size_t>(hessenberg_.cols()) && !is_small()) step();
     const auto k = static_cast<Eigen::Index>(rotations_.size());
@@ -258,7 +261,7 @@ class Krylov : public BorderedSystem {
     residual_ = right_ - operate(pressure_, constants_);
   }
 
-  /// From the cycle that was begun.
+  /// Returns the solution of the current cycle.
   SystemSolution solution() {
     double size = largest(residual_);
     for (int cycle = 0; cycle < most_cycles && size > tolerance_; ++cycle) {
@@ -266,14 +269,14 @@ class Krylov : public BorderedSystem {
       end_cycle();
       const double before = size;
       size = largest(residual_);
-      if (size > before / 2) break;  // rounding, or no more to be had
+      if (size > before / 2) break;  // only rounding remains
     }
     return {state_on(cells_, problem_.size(), pressure_, constants_), size, std::exchange(products_, 0)};
   }
 
   const DiscreteProblem& problem_;
   std::vector<std::size_t> cells_;
-  std::vector<std::size_t> in_hull_;  // the same, counted from the hull's first cell
+  std::vector<std::size_t> in_hull_;  // the same cells, counted from the hull's first cell
   std::shared_ptr<ContactHull> hull_;
   double tolerance_;
   std::vector<double> whole_;
@@ -285,7 +288,7 @@ class Krylov : public BorderedSystem {
   Vector pressure_;
   Load constants_;
   Vector residual_;
-  // A cycle of GMRES: where it began, and what it has found.
+  // A cycle of GMRES: its start and its basis.
   Vector first_pressure_;
   Load first_constants_;
   Eigen::MatrixXd basis_;
@@ -293,7 +296,7 @@ class Krylov : public BorderedSystem {
   std::vector<Eigen::JacobiRotation<double>> rotations_;
   Vector rest_;
   bool coupled_ = false;
-  int products_ = 0;  // since the last solution
+  int products_ = 0;  // number of products since the last solution
 };
 
 }  // namespace
@@ -307,7 +310,8 @@ std::shared_ptr<ContactHull> contact_hull(const DiscreteProblem& problem, const 
                                           std::shared_ptr<ContactHull> last) {
   const auto begin = static_cast<std::size_t>(std::find(contact.begin(), contact.end(), 1) - contact.begin());
   const auto end = static_cast<std::size_t>(contact.rend() - std::find(contact.rbegin(), contact.rend(), 1));
-  // A contact that grows by a few cells keeps its hull: to plan transforms of a new length takes as long as some products.
+  // A contact that grows by a few cells keeps its hull, because planning transforms of a new length costs as much as
+  // several products.
   const std::size_t step = std::bit_floor(std::max<std::size_t>((end - begin) / 32, 1));
   const std::size_t first = begin - begin % step;
   const std::size_t behind = std::min((end + step - 1) / step * step, contact.size());

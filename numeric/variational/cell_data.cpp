@@ -14,12 +14,12 @@ Rational support_length(const ContactProblem& problem) {
   return problem.indenter().right() - problem.indenter().left();
 }
 
-/// Distances from 0 of the cells' ends on one side, up to `end`.
+/// Returns the distances of the cells' ends from 0 on one side, up to `end`.
 std::vector<double> graded_distances(double end, double smallest, double ratio, double largest) {
   std::vector<double> result;
   double distance = 0;
   double length = smallest;
-  // The last cell takes up what would be less than half a cell.
+  // The last cell absorbs a remainder of less than half a cell.
   while (distance + 1.5 * length < end) {
     distance += length;
     result.push_back(distance);
@@ -29,14 +29,14 @@ std::vector<double> graded_distances(double end, double smallest, double ratio, 
   return result;
 }
 
-/// A piecewise function's part on one stretch of the support, in xi.
+/// One piece of a piecewise function on an interval of the support, in xi.
 struct Part {
   double left;
   double right;
 };
 
-/// Calls f(cell, piece, part) for every piece of a subdivision within every cell, left to right. `ends`: where the
-/// pieces end, but for the last one.
+/// Calls f(cell, piece, part) for every piece of a subdivision in every cell, from left to right. `ends` are the right
+/// ends of all pieces except the last one.
 template <class F>
 void for_each_part(const CellMesh& mesh, const std::vector<double>& ends, const F& f) {
   std::size_t piece = 0;
@@ -98,7 +98,7 @@ CellFriction cell_friction(const ContactProblem& problem, const CellMesh& mesh, 
   for_each_part(mesh, ends, [&](std::size_t i, std::size_t piece, const Part& part) {
     const double length = part.right - part.left;
     const double middle = (part.left + part.right) / 2;
-    // s at x' is felt by all x on its other side within the cell.
+    // s at x' affects all x in the cell on its other side.
     const double reach = result.sign > 0 ? mesh.right(i) - middle : middle - mesh.left(i);
     result.whole[i] += s[piece] * length;
     result.own[i] += result.sign * s[piece] * length * reach / mesh.length(i);
@@ -120,7 +120,7 @@ Rational profile_above_middle(const ContactProblem& problem, const Rational& x) 
 
 double CellProfile::LocalPiece::operator()(double xi) const { return value_of(coefficients, xi - origin); }
 
-/// Exact: a rule of so many points as the degree asks for.
+/// Exact, because the rule has enough points for the degree.
 double CellProfile::LocalPiece::integral(double left, double right) const {
   const auto by = [&]<unsigned points>() {
     return boost::math::quadrature::gauss<double, points>::integrate(*this, left, right);

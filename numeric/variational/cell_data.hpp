@@ -1,6 +1,6 @@
 #pragma once
-// The cells of the variational solver, and what they see of a problem, by exact integration, also of jumps and breaks inside a
-// cell.
+// The cells of the variational solver, and the data of a problem on them, by exact integration, also with jumps and
+// breaks inside a cell.
 
 #include <vector>
 
@@ -11,27 +11,27 @@
 namespace steadyslide::numeric::variational {
 
 /// The cells on which the variational solver's traction is constant. Lengths are reduced, xi = (x - origin)/unit, with
-/// the support's length as unit: then -log|xi - xi'| >= 0 all over the support.
+/// the support's length as unit, so that -log|xi - xi'| >= 0 everywhere on the support.
 class CellMesh {
  public:
-  /// `cells` >= 1 equal cells on the support, xi from -1/2 to 1/2, whatever lies inside.
+  /// Makes `cells` >= 1 equal cells on the support, xi from -1/2 to 1/2, for any jumps and breaks.
   CellMesh(const ContactProblem& problem, std::size_t cells);
-  /// Cells of any lengths, to be refined towards the place `origin`: xi of their ends, increasing, the first and the
-  /// last one are the support's.
+  /// Makes cells of any lengths, which may be refined towards the place `origin`. `edges` are xi of their ends,
+  /// increasing; the first and the last one are the ends of the support.
   CellMesh(const ContactProblem& problem, const Rational& origin, std::vector<double> edges);
 
   const Frame& frame() const { return frame_; }
   bool is_uniform() const { return uniform_; }
   std::size_t size() const { return edges_.size() - 1; }
-  /// In xi.
+  /// Returns the left end of cell i, in xi.
   double left(std::size_t i) const { return edges_[i]; }
   double right(std::size_t i) const { return edges_[i + 1]; }
   double length(std::size_t i) const { return uniform_ ? length_ : edges_[i + 1] - edges_[i]; }
   double centre(std::size_t i) const { return (edges_[i] + edges_[i + 1]) / 2; }
   const std::vector<double>& edges() const { return edges_; }
-  /// The cell that contains xi: the right one of two that meet there, the nearest one outside the support.
+  /// Returns the cell that contains xi; between two cells, the right one; outside the support, the nearest one.
   std::size_t cell_at(double xi) const;
-  /// xi of a place of the problem, rounded once.
+  /// Returns xi of a place of the problem, rounded once.
   double place(const Rational& x) const { return to_real<double>((x - frame_.origin) / frame_.unit); }
 
  private:
@@ -41,20 +41,22 @@ class CellMesh {
   double length_ = 0;
 };
 
-/// Edges for a mesh refined towards xi = 0, in proportion to the distance from it: the cells next to 0 have the length
-/// `smallest`, each further one is `ratio` > 1 times as long as the one before it until `largest`. To both sides.
+/// Returns the edges of a mesh that is refined towards xi = 0 on both sides. The cells next to 0 have the length
+/// `smallest`; each following one is `ratio` > 1 times as long as the one before it, up to `largest`.
 std::vector<double> graded_edges(double left, double right, double smallest, double ratio, double largest);
 
 /// Integrals of s over each cell.
 struct CellFriction {
   std::vector<double> whole;  ///< int s
-  /// Mean over x in the cell of int s from its left end to x, or from x to its right end where s is negative: what a
-  /// traction on the cell adds to its own mean displacement. All of int |s| where the equation is asked at the end.
+  /// The mean over x in the cell of int s from its left end to x, or from x to its right end if s is negative. It is
+  /// the contribution of a traction on the cell to the cell's own mean displacement. It is the whole int |s| if the
+  /// equation applies at the end of the cell.
   std::vector<double> own;
-  /// +1: s >= 0, and the displacement counts from the left end of the support. -1: s <= 0 somewhere, and it counts from
-  /// the right end: no friction then lowers the surface, and the indenter's approach takes up the difference.
+  /// +1: s >= 0, and the displacement is measured from the left end of the support. -1: s <= 0 somewhere, and the
+  /// displacement is measured from the right end. So friction never lowers the surface; the difference is part of the
+  /// indenter's approach.
   int sign = 1;
-  /// Cells whose equation is asked at their right end, with sign < 0 at their left one; empty: none.
+  /// The cells whose equation applies at their right end (with sign < 0 at their left end); empty: none.
   std::vector<char> at_end = {};
 
   bool is_at_end(std::size_t i) const { return !at_end.empty() && at_end[i]; }
@@ -62,22 +64,23 @@ struct CellFriction {
 CellFriction cell_friction(const ContactProblem& problem, const CellMesh& mesh,
                            FrictionRule rule = FrictionRule::galerkin);
 
-/// psi(x) less its value at the middle of the support: only differences matter, and these are small near the contact.
+/// Returns psi(x) minus its value at the middle of the support. Only differences matter, and these are small near the
+/// contact.
 Rational profile_above_middle(const ContactProblem& problem, const Rational& x);
 
-/// profile_above_middle/(c P) in xi of uniform meshes, ready for means over cells.
+/// profile_above_middle/(c P) in xi of uniform meshes, prepared for means over cells.
 class CellProfile {
  public:
   CellProfile(const ContactProblem& problem, const Frame& frame);
-  /// Means over each cell of a mesh with the frame given.
+  /// Returns the mean over each cell of a mesh with the given frame.
   std::vector<double> means(const CellMesh& mesh) const;
-  /// At a place; where two pieces meet, on that side.
+  /// Returns the value at a place; where two pieces meet, on that side.
   double operator()(double xi, Side side) const;
-  /// Where two pieces meet.
+  /// Returns the places where two pieces meet.
   const std::vector<double>& breaks() const { return ends_; }
 
  private:
-  /// A piece about a point of its own: nothing cancels far from the origin of x.
+  /// A piece expanded about its own point, so that nothing cancels far from the origin of x.
   struct LocalPiece {
     double origin;
     std::vector<double> coefficients;
@@ -89,7 +92,7 @@ class CellProfile {
                                 const Rational& height, const Rational& scale);
 
   std::vector<LocalPiece> pieces_;
-  std::vector<double> ends_;  ///< of all but the last piece
+  std::vector<double> ends_;  ///< right ends of all pieces except the last
 };
 
 }  // namespace steadyslide::numeric::variational

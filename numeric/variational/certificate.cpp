@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t all_rows_up_to = 2048;
 constexpr std::size_t most_rows = 64;
 
-/// Beginnings and ends of contact first, then cells spread over the support.
+/// Returns the rows to sum: first those where contact begins or ends, then cells distributed over the support.
 std::vector<std::size_t> rows_to_sum(const std::vector<double>& pressure) {
   const std::size_t n = pressure.size();
   std::vector<std::size_t> rows;
@@ -27,7 +27,7 @@ std::vector<std::size_t> rows_to_sum(const std::vector<double>& pressure) {
   return rows;
 }
 
-/// Summed with compensation: rounding of a million terms is none of the operator's errors.
+/// Returns the sum with compensation, because the rounding error of a million terms is not an error of the operator.
 double row_sum(const GalerkinOperator& b, const std::vector<double>& p, std::size_t i) {
   double sum = 0;
   double lost = 0;
@@ -44,7 +44,7 @@ double row_sum(const GalerkinOperator& b, const std::vector<double>& p, std::siz
 }  // namespace
 
 bool Certificate::accepted() const {
-  // A residual that is no number is not below anything.
+  // A residual that is NaN is not below any limit.
   return natural <= allowed && equation <= allowed && load <= allowed && moment <= allowed && product <= allowed;
 }
 

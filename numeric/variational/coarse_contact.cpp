@@ -31,7 +31,7 @@ std::vector<SupportPiece> pieces_of(const ContactProblem& problem, const Rationa
     const double turn = std::atan2(1, std::abs(s)) / std::numbers::pi;
     const double from = to_real<double>(Rational(piece.left - origin));
     const double to = to_real<double>(Rational(piece.right - origin));
-    // Cuts that double cannot tell apart have no cell between them.
+    // There is no cell between cuts that double cannot distinguish.
     if (from >= to) continue;
     pieces.push_back({from, to, s, s < 0 ? turn : 1 - turn, s < 0 ? 1 - turn : turn, profile, step});
   }
@@ -40,7 +40,7 @@ std::vector<SupportPiece> pieces_of(const ContactProblem& problem, const Rationa
 
 constexpr int most_rounds = 40;
 
-/// Signs are decided up to this multiple of the load: what rounding of the forces and of the profile leaves open.
+/// Returns the tolerance of signs as a multiple of the load, for the rounding of the forces and of the profile.
 double sign_tolerance(const Mesh& mesh, const Load& load, const std::vector<char>& active) {
   double highest = 0;
   for (std::size_t i = 0; i < active.size(); ++i) {
@@ -49,7 +49,8 @@ double sign_tolerance(const Mesh& mesh, const Load& load, const std::vector<char
   return 1e-13 + 1e-15 * highest / load.force;
 }
 
-/// Contact leaves where it pulls and begins where bodies overlap; cells that carry the most stay if too few are left.
+/// Returns the corrected contact: cells with tension leave, cells with overlap enter. If too few cells remain, those
+/// with the largest forces stay.
 std::vector<char> corrected(const Mesh& mesh, const Equilibrium& state, const Load& load) {
   const double tolerance = sign_tolerance(mesh, load, state.active) * load.force;
   const std::size_t least = load.at ? 2 : 1;
@@ -71,7 +72,8 @@ std::vector<char> corrected(const Mesh& mesh, const Equilibrium& state, const Lo
   return active;
 }
 
-/// Cells that touch when there is no load yet: the lowest one, or the two that span the load line on the lower hull.
+/// Returns the cells that touch at zero load: the lowest one, or the two of the lower hull on both sides of the load
+/// line.
 std::vector<std::size_t> first_contact(const Mesh& mesh, const Load& load, const std::vector<double>& psi) {
   if (!load.at) return {static_cast<std::size_t>(std::min_element(psi.begin(), psi.end()) - psi.begin())};
   std::vector<std::size_t> hull;
@@ -185,7 +187,7 @@ Equilibrium with_contact_on(const Mesh& mesh, const Load& load, const std::vecto
 }
 
 std::vector<char> load_path(const Mesh& mesh, const Load& load) {
-  // Forces are parts of the load, gaps in its unit, and the tilt is that over the whole support.
+  // Forces are fractions of the load, gaps are in its unit, and the tilt is the rise over the whole support.
   using Eigen::Index;
   const auto n = static_cast<Index>(mesh.size());
   const double from = mesh.edges().front(), to = mesh.edges().back();
@@ -215,7 +217,8 @@ namespace {
 
 using namespace coarse;
 
-/// The primal-dual active-set method from a first guess; where its sets cycle, load_path(). The guess may be empty.
+/// Returns the equilibrium by the primal-dual active-set method from a first guess, which may be empty. If the sets
+/// cycle, it uses load_path().
 Equilibrium equilibrium(const Mesh& mesh, const Load& load, std::vector<char> guess) {
   if (guess.empty()) guess.assign(mesh.size(), 1);
   Equilibrium best;
@@ -238,29 +241,32 @@ Equilibrium equilibrium(const Mesh& mesh, const Load& load, std::vector<char> gu
   return best;
 }
 
-/// Cells [first, last[ in contact, cut at steps of the profile: a face that stands back is not in contact at the step.
+/// Cells [first, last[ in contact, divided at steps of the profile: a face that stands back is not in contact at the
+/// step.
 struct Run {
   std::size_t first;
   std::size_t last;
 };
 
-// Parts of a run's width: cells inside it, at its ends, where separation may hide (edges, wedges, jumps), beyond ends.
+// Cell lengths as fractions of a run's width: inside it, at its ends, at places where a separation may be hidden
+// (edges, wedges, jumps), and beyond its ends.
 constexpr double inside = 1.0 / 8;
 constexpr double at_end = 1.0 / 32;
 constexpr double at_cut = 1.0 / 128;
 constexpr double beyond_end = 1.0 / 16;
 constexpr double between_runs = 1.0 / 3;
-/// Where nothing says how long a cell should be, it is cut into this many; and never into more than `most_pieces`.
+/// The number of pieces of a cell whose length has no limit. No cell is divided into more than `most_pieces`.
 constexpr int by_default = 3;
 constexpr int most_pieces = 8;
 constexpr double steepest_grading = 4.5;
-/// A face that stands back at a step is free next to it, over a length that may be as small a part of its contact.
+/// A face that stands back at a step is free next to it. The length of this free part may be as small as this fraction
+/// of its contact.
 constexpr double least_shadow = 1e-8;
-/// Gaps that are a smaller part of the contact beside them are the mesh's.
+/// Gaps below this fraction of the contact beside them are artefacts of the mesh.
 constexpr double least_gap = 1e-3;
 
-/// Could there be contact within cell i although its point is free? Beside the contact u is concave: the chord through
-/// the point and the next one on one side, prolonged, lies above u on the other side.
+/// True if there could be contact inside cell i although its point is free. Beside the contact u is concave: the chord
+/// through the point and the next one on one side, extended, lies above u on the other side.
 bool may_hide_contact(const Mesh& mesh, const Equilibrium& state, std::size_t i) {
   const double x = mesh.point(i);
   const auto lowered = [&](std::size_t k) {
@@ -279,7 +285,8 @@ bool may_hide_contact(const Mesh& mesh, const Equilibrium& state, std::size_t i)
   return false;
 }
 
-/// Gaps that the mesh does not resolve are left in: a long last cell beside short free ones can make one.
+/// Returns the runs of contact. Gaps that the mesh does not resolve count as contact: a long last cell beside short
+/// free ones can cause one.
 std::vector<Run> runs(const Mesh& mesh, const std::vector<char>& active) {
   std::vector<Run> result;
   const auto unresolved = [&](const Run& run, std::size_t next) {
@@ -301,10 +308,10 @@ std::vector<Run> runs(const Mesh& mesh, const std::vector<char>& active) {
   return result;
 }
 
-/// Into how many parts each cell should be cut: all 1 where the mesh is good enough.
+/// Returns the number of pieces into which each cell should be divided; all 1 if the mesh is fine enough.
 std::vector<int> wanted_pieces(const Mesh& mesh, const Equilibrium& state) {
   std::vector<int> pieces(mesh.size(), 1);
-  // Shorter cells than rounding of coordinates allows would have no points of their own.
+  // Cells shorter than the rounding of coordinates would have no own points.
   const double least = 1e-13 * std::max(std::abs(mesh.edges().front()), std::abs(mesh.edges().back()));
   const auto into = [&](std::size_t cell, int wanted) {
     if (mesh.length(cell) > least * most_pieces) pieces[cell] = std::max(pieces[cell], wanted);
@@ -341,12 +348,12 @@ std::vector<int> wanted_pieces(const Mesh& mesh, const Equilibrium& state) {
     }
   }
   for (std::size_t i = 0; i < mesh.size(); ++i) {
-    // A long cell at the end of contact beside short free ones would show contact where there is none.
+    // A long cell at the end of contact beside short free ones would show false contact.
     const auto too_long_beside = [&](std::size_t k) {
       return mesh.length(i) > steepest_grading * mesh.length(k) && (state.active[i] || state.active[k]);
     };
     const bool beside_shorter = (i > 0 && too_long_beside(i - 1)) || (i + 1 < mesh.size() && too_long_beside(i + 1));
-    // Next to a contact, the width of that contact has already said how long a cell may be.
+    // Next to a contact, the width of that contact already limits the length of a cell.
     const bool beside_contact = (i > 0 && state.active[i - 1]) || (i + 1 < mesh.size() && state.active[i + 1]);
     const bool apart = !state.active[i] && !beside_contact;
     if (beside_shorter || (apart && may_hide_contact(mesh, state, i))) into(i, by_default);
@@ -357,8 +364,9 @@ std::vector<int> wanted_pieces(const Mesh& mesh, const Equilibrium& state) {
 constexpr int most_growth = 16;
 constexpr int most_meshes = 40;
 
-/// How far from the inner edge of the outermost cell a contact ends freely, where the traction is proportional to
-/// d^power: forces within d are then to each other as d^{1+power}. At most halfway into the next cell.
+/// Returns the distance of a free end of contact from the inner edge of the outermost cell. The traction is
+/// proportional to d^power, so the force within d is proportional to d^{1+power}. The end is at most halfway into the
+/// next cell.
 double end_distance(const Mesh& mesh, const Equilibrium& state, double power, std::size_t last, std::size_t next,
                     double beyond) {
   const double outer = state.force[last];
@@ -393,7 +401,7 @@ std::vector<char> inherited(const std::vector<char>& active, const std::vector<i
   return result;
 }
 
-/// Even forces on cells are centred at a cell's centre: the load has to lie between the outermost ones.
+/// A uniform force on a cell has its centre at the cell's centre. So the load must lie between the outermost centres.
 Mesh around_load(Mesh mesh, double at) {
   std::vector<int> pieces(mesh.size(), 1);
   const auto parts = [](double length, double distance) {

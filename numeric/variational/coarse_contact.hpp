@@ -1,11 +1,12 @@
 #pragma once
-// Where is the contact, roughly? A small variational solution that knows no exponents: piecewise constant traction on
-// cells cut at every jump of friction and break of the profile, Galerkin's equations with the kernel of
+// A coarse solution that locates the contact. It is a small variational solution without singular functions: piecewise
+// constant traction on cells that are divided at every friction jump and break of the profile, and Galerkin's equations
+// with the kernel of
 //
 //   u(x)/c = -(1/pi) int t(x') log|x - x'| dx' + int_left^x s t,      u/c + C <= psi/c, t <= 0, t (u/c + C - psi/c) = 0
 //
-// at one point of each cell, int t = -P; an active-set method with dense LU; cells refined where contact may begin or
-// end until every contact component has several. [Bal16, section 3.1]
+// at one point of each cell, int t = -P. The solver is an active-set method with dense LU. Cells are refined where
+// contact may begin or end, until every contact component has several cells. [Bal16, section 3.1]
 
 #include <Eigen/Core>
 #include <optional>
@@ -22,34 +23,35 @@ namespace steadyslide::numeric {
 struct CoarseContact {
   Rational origin;
   std::vector<ContactInterval> zones;  ///< left to right
-  double tilt = 0;                     ///< slope added to psi/c: not zero only with load_at
-  std::vector<double> cell_edges;      ///< of the last mesh
+  double tilt = 0;                     ///< slope added to psi/c; 0 without load_at
+  std::vector<double> cell_edges;      ///< edges of the last mesh
   std::vector<double> traction;        ///< one per cell
   bool converged = true;               ///< false: the active sets cycled; the best one is given
 };
 
-/// About `cells` cells to begin with, at most 16 times as many on the last mesh.
+/// Returns the coarse solution. The first mesh has about `cells` cells, the last one at most 16 times as many.
 CoarseContact coarse_contact(const ContactProblem& problem, int cells);
 
 namespace coarse {
 
-// The cells of the coarse solution: each lies under one friction value and one piece of the profile. What a force on
-// one cell does to the gap at the points of all cells:
+// The cells of the coarse solution. Each has one friction value and one piece of the profile. The effect of forces on
+// the gap at the points of all cells is
 //
 //   gap_i = psi_i - C + tilt x_i + sum_j G_ij q_j,   G_ij = mean_j k(x_i - x') + int_left^{x_i} s over cell j,
 //
-// k the kernel, and q_j >= 0 the force on cell j, spread evenly over it. The point x_i divides its cell as
-// 1/2 + alpha : 1/2 - alpha: with the mean over the cell instead, or its centre, strong friction (s > 2, say) makes the
-// cells next to a concentrated force ring and lose contact, as the trapezoidal rule does with a stiff equation; towards
-// s = +-infinity this point is the implicit Euler rule.
+// with the kernel k and the force q_j >= 0 on cell j, uniformly distributed. The point x_i divides its cell in the
+// ratio 1/2 + alpha : 1/2 - alpha. With the mean over the cell, or its centre, cells next to a concentrated force would
+// oscillate and lose contact under strong friction (s > 2, say), as the trapezoidal rule does for a stiff equation. For
+// s -> +-infinity this point gives the implicit Euler rule.
 
-/// The support between two neighbouring cuts: jumps of friction and breaks of the profile. Lengths from the origin.
+/// The part of the support between two neighbouring friction jumps or breaks of the profile. Lengths are measured from
+/// the origin.
 struct SupportPiece {
   double left;
   double right;
   double s;
-  double ahead;                 ///< 1/2 + alpha, the part of a cell left of its point
-  double behind;                ///< 1/2 - alpha, the part right of it, formed without subtraction
+  double ahead;                 ///< 1/2 + alpha, the fraction of a cell left of its point
+  double behind;                ///< 1/2 - alpha, the fraction right of it, computed without subtraction
   std::vector<double> profile;  ///< psi/c, coefficients of 1, x, x^2, ...
   int step;                     ///< the sign of psi(x+) - psi(x-) at `left`
 
@@ -58,9 +60,9 @@ struct SupportPiece {
 
 class Mesh {
  public:
-  /// About `cells` cells of like length, two or more a piece as long as that stays affordable.
+  /// Makes about `cells` cells of similar length, at least two for each piece if the cost allows it.
   Mesh(const ContactProblem& problem, const Rational& origin, int cells, const variational::SurfaceKernel& kernel = {});
-  /// Every cell cut into pieces[i] >= 1 equal parts.
+  /// Returns the mesh with every cell divided into pieces[i] >= 1 equal parts.
   Mesh refined(const std::vector<int>& pieces) const;
 
   std::size_t size() const { return piece_of_.size(); }
@@ -70,15 +72,15 @@ class Mesh {
   double length(std::size_t i) const { return edges_[i + 1] - edges_[i]; }
   double centre(std::size_t i) const { return (edges_[i] + edges_[i + 1]) / 2; }
   const SupportPiece& piece(std::size_t i) const { return pieces_[piece_of_[i]]; }
-  /// Where the displacement in cell i is looked at: the centre without friction, close to the right end for s -> inf.
+  /// Returns the point of cell i: the centre without friction, close to the right end for s -> inf.
   double point(std::size_t i) const { return edges_[i] + piece(i).ahead * length(i); }
-  /// psi/c at that point.
+  /// Returns psi/c at that point.
   double profile(std::size_t i) const { return piece(i).profile_at(point(i)); }
-  /// G_ij for all i. Computed when first asked for: most cells never carry a force.
+  /// Returns G_ij for all i. It is computed at first use, because most cells never carry a force.
   const Eigen::VectorXd& column(std::size_t j) const;
-  /// The cell is the first or the last one of its piece.
+  /// True if the cell is the first or the last one of its piece.
   bool beside_cut(std::size_t i) const;
-  /// The sign of the step at the left end of cell i; 0 within a piece.
+  /// Returns the sign of the step at the left end of cell i; 0 inside a piece.
   int step_before(std::size_t i) const;
 
  private:
@@ -95,7 +97,7 @@ class Mesh {
 
 struct Load {
   double force;
-  std::optional<double> at;  ///< from the origin; present if the indenter may tilt
+  std::optional<double> at;  ///< place of the load, from the origin; present if the indenter may tilt
 };
 
 struct Equilibrium {
@@ -107,11 +109,12 @@ struct Equilibrium {
   bool converged = false;
 };
 
-/// Forces and gaps with the contact set given, whatever their signs. Not finite where the equations are singular.
+/// Returns forces and gaps for a given contact set, with any signs. They are not finite if the equations are singular.
 Equilibrium with_contact_on(const Mesh& mesh, const Load& load, const std::vector<char>& active);
 
-/// The contact set that is reached when the load grows from zero, by the pivots of Lemke (lemke.hpp). Forces of a given sum
-/// are a bounded set, so that the way cannot end before any given load, whatever the matrix. Empty if rounding stops it.
+/// Returns the contact set that is reached when the load grows from zero, by Lemke's pivots (lemke.hpp). Forces with a
+/// given sum are a bounded set, so for any matrix the path cannot end before the given load. Empty if rounding stops
+/// the path.
 std::vector<char> load_path(const Mesh& mesh, const Load& load);
 
 }  // namespace coarse

@@ -15,7 +15,7 @@ DiscreteProblem::DiscreteProblem(const ContactProblem& problem, CellMesh mesh, c
       profile_(profile.means(mesh_)) {
   if (!is_galerkin()) {
     const CellFriction& friction = galerkin_operator_.friction();
-    // Where pieces meet there, the one within the cell.
+    // If two pieces meet there, take the piece inside the cell.
     const Side side = friction.sign > 0 ? Side::left : Side::right;
     for (std::size_t i = 0; i < size(); ++i) {
       if (friction.at_end[i]) profile_[i] = profile(place(i), side);

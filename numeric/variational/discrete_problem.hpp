@@ -3,8 +3,8 @@
 //
 //   g = psi + tilt xi + B p - approach,   sum p_i h_i = 1,   and with load_at   sum p_i h_i xi_i = xi_load,
 //
-// p in units of P/unit, heights in units of c P. Under the damped rule some g_i are gaps at an end of their cell, with xi_i
-// of that place (friction_rule.hpp). No exponent, no singular function is known here. [Bal16, section 3.1]
+// p in units of P/unit, heights in units of c P. With the damped rule some g_i are gaps at an end of their cell, and
+// xi_i is that place (friction_rule.hpp). No exponents and no singular functions are used. [Bal16, section 3.1]
 
 #include <optional>
 #include <vector>
@@ -15,24 +15,24 @@ namespace steadyslide::numeric::variational {
 
 class DiscreteProblem {
  public:
-  /// The damped rule is for uniform meshes.
+  /// The damped rule requires a uniform mesh.
   DiscreteProblem(const ContactProblem& problem, CellMesh mesh, FrictionRule rule = FrictionRule::galerkin,
                   const SurfaceKernel& kernel = {});
-  /// With a profile made before, in the mesh's frame: meshes share one.
+  /// Takes an existing profile in the mesh's frame, so that meshes can share it.
   DiscreteProblem(const ContactProblem& problem, CellMesh mesh, const CellProfile& profile, FrictionRule rule,
                   const SurfaceKernel& kernel = {});
-  /// Another problem with the profile of cell i lowered by lowered[i].
+  /// Takes another problem and lowers the profile of cell i by lowered[i].
   DiscreteProblem(const DiscreteProblem& other, const std::vector<double>& lowered);
 
   const CellMesh& mesh() const { return mesh_; }
   const GalerkinOperator& galerkin_operator() const { return galerkin_operator_; }
   const std::vector<double>& profile() const { return profile_; }
-  /// xi of load_at.
+  /// Returns xi of load_at.
   const std::optional<double>& load_at() const { return load_at_; }
   std::size_t size() const { return mesh_.size(); }
-  /// xi at which the gap of cell i is asked, which a tilt lifts it by: the cell's middle, or its end.
+  /// Returns xi of the gap of cell i, which is also the factor of the tilt: the cell's middle, or its end.
   double place(std::size_t i) const;
-  /// By means over all cells, whatever is strong?
+  /// True if all equations are means over cells, also under strong friction.
   bool is_galerkin() const { return galerkin_operator_.friction().at_end.empty(); }
 
  private:
@@ -44,7 +44,7 @@ class DiscreteProblem {
 
 /// 1: contact, 0: gap, cell by cell.
 using CellSet = std::vector<char>;
-/// The cells in contact, increasing.
+/// Returns the cells in contact, in increasing order.
 std::vector<std::size_t> cells_of(const CellSet& contact);
 
 struct DiscreteState {
@@ -53,10 +53,10 @@ struct DiscreteState {
   double tilt = 0;  ///< 0 without load_at
 };
 
-/// The height of the profile over some cells, 1 at least: what rounding of the gaps is relative to.
+/// Returns the height of the profile over some cells, at least 1. The rounding of gaps is relative to it.
 double height_over(const DiscreteProblem& problem, const std::vector<std::size_t>& cells);
 
-/// g of a state.
+/// Returns g of a state.
 std::vector<double> gaps(const DiscreteProblem& problem, const DiscreteState& state);
 
 }  // namespace steadyslide::numeric::variational

@@ -9,13 +9,14 @@
 namespace steadyslide::numeric::variational {
 namespace {
 
-// FFTW's planner, unlike its transforms, is not to be called from two threads.
+// FFTW's planner, unlike its transforms, is not thread-safe.
 std::mutex& planner() {
   static std::mutex mutex;
   return mutex;
 }
 
-/// Threads of one transform: short ones are over before a second thread has begun (docs/decisions.md).
+/// Returns the number of threads of one transform. Short transforms end before a second thread has started
+/// (docs/decisions.md).
 int threads(std::size_t n) {
   constexpr std::size_t longest_alone = std::size_t{1} << 18;
   return n <= longest_alone ? 1 : static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 4U));
@@ -25,8 +26,8 @@ int threads(std::size_t n) {
 
 struct Fourier::Plans {
   double* values;
-  fftw_complex* modes;  // in the same place
-  double* sums;         // room for another transform
+  fftw_complex* modes;  // at the same address
+  double* sums;         // space for another transform
   fftw_plan forward;
 
   explicit Plans(std::size_t n) {
@@ -61,15 +62,16 @@ Fourier& Fourier::operator=(Fourier&&) noexcept = default;
 std::span<double> Fourier::values() const { return {plans_->values, size_}; }
 
 std::span<std::complex<double>> Fourier::modes() const {
-  // FFTW's complex numbers are laid out like C++'s.
+  // FFTW's complex numbers have the memory layout of C++'s.
   return {reinterpret_cast<std::complex<double>*>(plans_->modes), size_ / 2 + 1};
 }
 
 void Fourier::forward() const { fftw_execute(plans_->forward); }
 
 void Fourier::convolve(std::span<const std::complex<double>> s, std::span<double> result) const {
-  // With h_k = re(s_k y_k) + im(s_k y_k), k = 0..n-1, and H its transform, x_j = re(H_j) + im(H_j): forward again, which takes
-  // two thirds of the time of FFTW's way back where it leaves the cache.
+  // With h_k = re(s_k y_k) + im(s_k y_k), k = 0..n-1, and H its transform, x_j = re(H_j) + im(H_j). So this is a
+  // forward transform again, which takes two thirds of the time of FFTW's backward transform for data larger than the
+  // cache.
   const std::span<const std::complex<double>> y = modes();
   double* const h = plans_->sums;
   const double scale = 1 / static_cast<double>(size_);

@@ -1,9 +1,9 @@
 #pragma once
 // The discrete Fourier transform of real data of one length (FFTW, double). [FJ05]
 //
-//   y_k = sum_j x_j exp(-2 pi i j k/n), k = 0..n/2, the y beyond n/2 the conjugates of those before,
+//   y_k = sum_j x_j exp(-2 pi i j k/n), k = 0..n/2; the y beyond n/2 are conjugates of these,
 //
-// and what is left of x when each y is multiplied by a number s_k: a convolution.
+// and the convolution of x, in which each y_k is multiplied by a number s_k.
 
 #include <complex>
 #include <cstddef>
@@ -12,26 +12,26 @@
 
 namespace steadyslide::numeric::variational {
 
-/// A length >= n whose transforms are fast: a multiple of 16 without prime factors above 5.
+/// Returns a length >= n with fast transforms: a multiple of 16 without prime factors above 5.
 std::size_t fast_length(std::size_t n);
 
 class Fourier {
  public:
-  /// n even. FFTW chooses its way by the length alone, so that a result can be had again to the last digit.
+  /// n must be even. FFTW chooses its algorithm by the length only, so results are reproducible to the last digit.
   explicit Fourier(std::size_t n);
   ~Fourier();
   Fourier(Fourier&&) noexcept;
   Fourier& operator=(Fourier&&) noexcept;
 
   std::size_t size() const { return size_; }
-  /// Room for x, n numbers, and for y, n/2 + 1 of them. One room, since transforms that have to leave the cache are up to 1.7
-  /// times as fast in place: only the one that was written last is there.
+  /// Space for x, n numbers, and for y, n/2 + 1 numbers. Both share one space, because transforms larger than the cache
+  /// are up to 1.7 times as fast in place. So only the data that was written last is valid.
   std::span<double> values() const;
   std::span<std::complex<double>> modes() const;
-  /// values() to modes().
+  /// Transforms values() to modes().
   void forward() const;
-  /// The first numbers (1/n) sum_k s_k y_k exp(2 pi i j k/n), at most n, of y in modes(), which stays there. `result` may
-  /// lie in values().
+  /// Computes the first numbers (1/n) sum_k s_k y_k exp(2 pi i j k/n), at most n, from y in modes(), which does not
+  /// change. `result` may be part of values().
   void convolve(std::span<const std::complex<double>> s, std::span<double> result) const;
 
  private:

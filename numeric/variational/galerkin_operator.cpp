@@ -7,7 +7,7 @@
 namespace steadyslide::numeric::variational {
 namespace {
 
-/// The kernel's entries by i - j, from 1 - size on: means over cells, and values at their ends.
+/// Returns the kernel's entries by i - j, from 1 - size on: means over cells, and values at their ends.
 std::array<std::vector<double>, 2> toeplitz_entries(const CellMesh& mesh, const CellFriction& friction,
                                                     const SurfaceKernel& kernel) {
   if (!mesh.is_uniform()) {
@@ -46,7 +46,7 @@ std::vector<std::complex<double>> GalerkinOperator::spectrum(bool at_end, const 
   const auto n = static_cast<std::ptrdiff_t>(values.size());
   const auto last = static_cast<std::ptrdiff_t>(size() - 1);
   for (std::ptrdiff_t k = 0; k < n; ++k) {
-    // Further than the cells reach nothing is asked; with the last entry there the spectrum stays positive.
+    // Distances larger than all cells do not occur. The last entry is used there, so that the spectrum stays positive.
     const std::ptrdiff_t distance = std::clamp(2 * k <= n ? k : k - n, -last, last);
     values[static_cast<std::size_t>(k)] = entries[static_cast<std::size_t>(last + distance)];
   }

@@ -3,10 +3,10 @@
 //
 //   (B p)_i = mean over cell i of  -(1/pi) int p(xi') log|xi - xi'| dxi' + int_left^xi s p,
 //
-// how far p pushes the surface down, -u/c. Where s is negative the second integral is -int_xi^right s p: a constant
-// less, which the indenter's approach takes up. So no entry of B is negative. [Bal16, section 3.1]
+// the displacement of the surface downwards by p, -u/c. If s is negative, the second integral is -int_xi^right s p. It
+// differs by a constant, which is part of the indenter's approach. So no entry of B is negative. [Bal16, section 3.1]
 //
-// Under the damped rule (friction_rule.hpp) the same at the end of cell i where s is strong.
+// With the damped rule (friction_rule.hpp) and strong s, the same at the end of cell i.
 
 #include <array>
 #include <optional>
@@ -21,43 +21,45 @@ namespace steadyslide::numeric::variational {
 
 class GalerkinOperator {
  public:
-  /// Cells that are asked at their ends: on a uniform mesh only.
+  /// Equations at ends of cells require a uniform mesh.
   GalerkinOperator(const CellMesh& mesh, CellFriction friction, const SurfaceKernel& kernel = {});
-  /// The same for pressures on neighbouring cells alone, looked at on these, up to a constant; on a uniform mesh only.
+  /// Returns the operator for pressures on neighbouring cells, with the displacement on the same cells, up to a
+  /// constant. The mesh must be uniform.
   GalerkinOperator part(std::size_t first, std::size_t count) const;
 
   std::size_t size() const { return friction_.whole.size(); }
   double entry(std::size_t i, std::size_t j) const { return logarithm(i, j) + friction_entry(i, j); }
-  /// The two parts of an entry: the kernel's and the friction's.
+  /// Return the two parts of an entry: that of the kernel and that of the friction.
   double logarithm(std::size_t i, std::size_t j) const;
   double friction_entry(std::size_t i, std::size_t j) const;
-  /// B p, by two transforms on a uniform mesh (three where some cells are asked at their ends), by the whole matrix on any other. Not to be called from two threads.
+  /// Computes B p, on a uniform mesh by two transforms (three if some equations apply at ends of cells), otherwise by
+  /// the whole matrix. Not thread-safe.
   void multiply(std::span<const double> p, std::span<double> result) const;
 
   const CellFriction& friction() const { return friction_; }
   const SurfaceKernel& kernel() const { return kernel_; }
-  /// Of the transforms; 0 on a mesh that is not uniform.
+  /// Returns the length of the transforms; 0 if the mesh is not uniform.
   std::size_t transform_size() const { return fourier_ ? fourier_->size() : 0; }
-  /// The eigenvalues of the kernel's circulant over the cells of a circle as long as the transform, on a uniform mesh: of
-  /// the means, or at the cells' ends if some ask for it.
+  /// Returns the eigenvalues of the kernel's circulant on a circle of cells with the length of the transform, on a
+  /// uniform mesh: for means over cells, or for values at the cells' ends.
   std::vector<std::complex<double>> spectrum(bool at_end, const Fourier& circle) const;
 
  private:
-  /// The kernel on equal cells: entries by i - j from 1 - size() on, and the spectrum.
+  /// The kernel on equal cells: entries by i - j, from 1 - size() on, and the spectrum.
   struct Convolution {
     std::vector<double> entries;
     std::vector<std::complex<double>> spectrum;
   };
-  /// On equal cells; without entries: on others.
+  /// Takes the entries for equal cells; empty for other meshes.
   GalerkinOperator(std::array<std::vector<double>, 2> entries, CellFriction friction, const SurfaceKernel& kernel);
   void multiply_by_transform(std::span<const double> p, std::span<double> result) const;
 
   SurfaceKernel kernel_;
   CellFriction friction_;
-  // Uniform mesh: for means over cells, and at their ends.
+  // For a uniform mesh: means over cells, and values at their ends.
   std::array<Convolution, 2> convolutions_;
   std::optional<Fourier> fourier_;
-  // Any other: all entries of the kernel, column by column.
+  // For other meshes: all entries of the kernel, column by column.
   std::vector<double> logarithm_;
 };
 

@@ -14,13 +14,13 @@ using Eigen::Index;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-/// The height of a cell, in general position.
+/// Returns the height of a cell, perturbed to general position.
 double height(const DiscreteProblem& problem, std::size_t cell) {
   const CellMesh& mesh = problem.mesh();
   return problem.profile()[cell] + slight_curve(mesh.centre(cell), mesh.edges().front(), mesh.edges().back(), 1e-9);
 }
 
-/// The gap in cell i by a force 1 on cell j.
+/// Returns the gap in cell i due to a force 1 on cell j.
 double by_force(const DiscreteProblem& problem, std::size_t i, std::size_t j) {
   return problem.galerkin_operator().entry(i, j) / problem.mesh().length(j);
 }
@@ -32,7 +32,7 @@ std::vector<Number> numbers(Number first, Number count) {
   return result;
 }
 
-/// The set's own solution; a few cells that the slight curvature has misled change sides.
+/// Computes the solution of the contact set. A few cells for which the slight curvature was misleading change sides.
 void finish(const DiscreteProblem& problem, const std::vector<std::size_t>& cells, LemkeResult& result) {
   constexpr int most_changes = 6;
   double best = HUGE_VAL;
@@ -51,7 +51,7 @@ void finish(const DiscreteProblem& problem, const std::vector<std::size_t>& cell
   result.reached = best <= complementary_within;
 }
 
-/// From the tableau's present point until the variable `measured` has its target value.
+/// Follows the path from the tableau's current point until the variable `measured` has its target value.
 PivotPath followed(ComplementaryTableau& tableau, std::size_t pairs, Index entering, Index measured, double target,
                    int most_pivots) {
   const bool reached = tableau.follow(entering, measured, target, most_pivots) == ComplementaryTableau::End::reached;
@@ -60,7 +60,7 @@ PivotPath followed(ComplementaryTableau& tableau, std::size_t pairs, Index enter
   return path;
 }
 
-/// The path of loads from none.
+/// Returns the path of loads, which starts from zero load.
 PivotPath loading_path(const DiscreteProblem& problem, const std::vector<std::size_t>& cells, int most_pivots) {
   const auto n = static_cast<Index>(cells.size());
   Eigen::MatrixXd influence(n, n);
@@ -76,8 +76,8 @@ PivotPath loading_path(const DiscreteProblem& problem, const std::vector<std::si
 
 enum class From { left, right };
 
-/// The path of tilts from where the end cell on one side bears all load. Variables: q (0..n-1), g (n..2n-1), approach,
-/// tilt (minus the tilt from the left: it grows from -infinity), moment.
+/// Returns the path of tilts, which starts with all load on the end cell of one side. Variables: q (0..n-1), g
+/// (n..2n-1), approach, tilt (minus the tilt if it starts from the left, so that it grows from -infinity), moment.
 PivotPath rolling_path(const DiscreteProblem& problem, const std::vector<std::size_t>& cells, From from,
                        int most_pivots) {
   const CellMesh& mesh = problem.mesh();
@@ -87,7 +87,7 @@ PivotPath rolling_path(const DiscreteProblem& problem, const std::vector<std::si
   const auto xi = [&](Index i) { return mesh.centre(cells[at(i)]); };
   const auto place = [&](Index i) { return problem.place(cells[at(i)]); };
   const auto entry = [&](Index i, Index j) { return by_force(problem, cells[at(i)], cells[at(j)]); };
-  // The force on the end cell is 1 less the others.
+  // The force on the end cell is 1 minus the others.
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n + 2, n + 1);
   Eigen::VectorXd constants(n + 2);
   std::vector<Index> right;
@@ -133,12 +133,13 @@ PivotPath rolling_path(const DiscreteProblem& problem, const std::vector<std::si
                            : followed(tableau, cells.size(), second, 2 * n + 1, 0, most_pivots);
 }
 
-/// The cells in contact where a path of these cells has ended.
+/// Sets the cells in contact at the end of a path of these cells.
 void take(const PivotPath& path, const std::vector<std::size_t>& cells, LemkeResult& result) {
   for (std::size_t i = 0; i < cells.size(); ++i) result.contact[cells[i]] = path.contact[i];
 }
 
-/// The contested cells' gaps as functions of their forces, the certain contact moving along: gaps + matrix q.
+/// The gaps of the contested cells as functions of their forces, with equilibrium on the certain contact: gaps + matrix
+/// q.
 struct SchurComplement {
   Eigen::MatrixXd matrix;
   Eigen::VectorXd gaps;
@@ -155,7 +156,7 @@ SchurComplement schur_complement(const DiscreteProblem& problem, const std::vect
   std::vector<double> rhs(problem.size());
   std::vector<double> push(problem.size());
   for (Index j = 0; j < n; ++j) {
-    // A force 1 on one contested cell, taken off the others.
+    // A force 1 on one contested cell, subtracted from the others.
     const std::size_t cell = contested[at(j)];
     const double h = mesh.length(cell);
     for (std::size_t i = 0; i < rhs.size(); ++i) rhs[i] = -problem.galerkin_operator().entry(i, cell) / h;
@@ -179,8 +180,8 @@ double slight_curve(double x, double from, double to, double size) {
 
 PivotPath load_path(const Eigen::MatrixXd& influence, const Eigen::VectorXd& heights,
                     const std::vector<std::size_t>& first, const std::optional<Levers>& levers, int most_pivots) {
-  // Variables: forces (0..n-1), gaps (n..2n-1), approach, the load, the tilt over the whole width and the moment about the load,
-  // which is on the right once and for all: it stays zero.
+  // Variables: forces (0..n-1), gaps (n..2n-1), approach, the load, the tilt over the whole width and the moment about
+  // the load, which always stays on the right: it is zero.
   const Index n = heights.size();
   const Index approach = 2 * n, load = approach + 1, tilt = approach + 2, moment = approach + 3;
   const Index rest = levers ? 2 : 1;
@@ -205,7 +206,7 @@ PivotPath load_path(const Eigen::MatrixXd& influence, const Eigen::VectorXd& hei
   auto growing = static_cast<Index>(first.front());
   tableau.exchange(n + growing, approach);
   if (levers) {
-    // The force farther from the load follows from the other one.
+    // The force farther from the load is determined by the other one.
     auto held = static_cast<Index>(first.back());
     tableau.exchange(n + held, tilt);
     if (std::abs(levers->arm(growing)) > std::abs(levers->arm(held))) std::swap(growing, held);
@@ -220,7 +221,7 @@ double natural_residual(const DiscreteProblem& problem, const DiscreteState& sta
   double largest = 0;
   for (std::size_t i : cells) {
     const double least = std::abs(std::min(g[i], state.pressure[i]));
-    // A comparison that a NaN does not pass.
+    // The comparison is false for NaN.
     if (!(least <= largest)) largest = least;
   }
   return largest;
@@ -232,7 +233,7 @@ double natural_residual(const DiscreteProblem& problem, const DiscreteState& sta
 
 LemkeResult lemke_among(const DiscreteProblem& problem, const std::vector<std::size_t>& cells, int most_pivots) {
   LemkeResult result;
-  // Enough for most; where it is not, another path may be much shorter.
+  // This is sufficient for most problems. If not, another path may be much shorter.
   int allowed = std::min(most_pivots, 4 * static_cast<int>(cells.size()) + 16);
   while (cells.size() >= (problem.load_at() ? 2U : 1U)) {
     for (const auto& path : {std::optional<From>(), std::optional(From::right), std::optional(From::left)}) {
@@ -272,7 +273,7 @@ LemkeResult lemke_on(const DiscreteProblem& problem, const CellSet& contact, con
   result.state = solve(*system, problem).state;
   const SchurComplement schur = schur_complement(problem, contested, *system, result.state);
 
-  // Variables: q (0..n-1), g (n..2n-1), and the artificial one, less than 0 until the path's end.
+  // Variables: q (0..n-1), g (n..2n-1), and the artificial variable, which is negative until the end of the path.
   const auto n = static_cast<Index>(contested.size());
   Index lowest = 0;
   if (n > 0 && schur.gaps.minCoeff(&lowest) < 0) {

@@ -1,24 +1,24 @@
 #pragma once
-// The discrete contact problem by complementary pivots, for contacts on which active sets cycle.
+// Solves the discrete contact problem by complementary pivots. For contacts on which active sets cycle.
 //
 // Unknown forces q_i = p_i h_i >= 0 and gaps g_i >= 0 with q_i g_i = 0. No entry of B is negative and no diagonal entry
-// is zero, so q.Bq > 0 for every q >= 0 but 0, whatever the friction (B is strictly copositive).
+// is zero. So q.Bq > 0 for every q >= 0 except 0, for any friction (B is strictly copositive).
 //
-// Attitude given. Let the approach be Lemke's artificial variable: g = psi + B q - approach. Far below the lowest psi
-// there is no contact. From there the path of complementary pivots cannot come back, so it ends in a ray, with a
-// direction q', g' >= 0, q'.g' = 0, g' = B q' - approach'. If q' were 0, it would be the ray it came from; so the load
-// sum q goes to infinity, continuously, from 0. It passes through 1: a loading path, and a solution for every load.
+// Given tilt. Let the approach be Lemke's artificial variable: g = psi + B q - approach. Far below the lowest psi there
+// is no contact. From there the path of complementary pivots cannot return, so it ends in a ray, with a direction q',
+// g' >= 0, q'.g' = 0, g' = B q' - approach'. If q' were 0, it would be the ray at the start. So the load sum q grows
+// continuously from 0 to infinity and passes through 1. This is a loading path, and there is a solution for every load.
 //
-// Load given. With sum q = 1 all along, let the tilt go from -infinity, where the last cell carries everything. In a
-// ray sum q' = 0, so q' = 0, g' = tilt' xi - approach' >= 0 with g' = 0 where there is contact: contact in the first
-// cell alone, tilt' > 0, or the ray it came from. So the tilt goes to +infinity and the centre of pressure from the
-// last cell to the first one, both continuously: an indenter that rolls over the support. With load_at the path is left
-// where the centre of pressure is there, if that lies between the centres of the outermost cells; else where the tilt
-// is 0. It can be followed from the other side as well.
+// Given load. With sum q = 1 on the whole path, let the tilt start from -infinity, where the last cell carries all
+// load. In a ray sum q' = 0, so q' = 0, g' = tilt' xi - approach' >= 0 with g' = 0 where there is contact. This is
+// contact in the first cell only, tilt' > 0, or the ray at the start. So the tilt goes to +infinity and the centre of
+// pressure from the last cell to the first one, both continuously: the indenter rolls over the support. With load_at
+// the path stops where the centre of pressure is there, if this is between the centres of the outermost cells. Without
+// load_at it stops where the tilt is 0. The path can also start from the other side.
 //
-// These paths exist; how long they are is another matter. With s = 5 on cells from 1e-9 to 1/50 (a parabola) each of
-// them takes more than 9000 pivots. Where one is long another may be short: the loading path and the rolling ones are
-// followed by turns, with a number of pivots that grows from turn to turn. [CPS92, section 4.4], [Bal16, section 3.1]
+// These paths exist, but they may be long. With s = 5 on cells from 1e-9 to 1/50 (a parabola) each of them takes more
+// than 9000 pivots. If one is long, another may be short. So the loading path and the rolling paths are followed in
+// turn, with a limit of pivots that grows from turn to turn. [CPS92, section 4.4], [Bal16, section 3.1]
 
 #include <Eigen/Core>
 #include <functional>
@@ -29,26 +29,27 @@
 
 namespace steadyslide::numeric::variational {
 
-/// A flat face and equal minima touch everywhere at once; a slight curvature, the same every time, gives places an order.
+/// Returns a slight curvature, always the same one. A flat face or equal minima would touch everywhere at once; the
+/// curvature gives the places an order.
 double slight_curve(double x, double from, double to, double size);
 
-/// Of an indenter that may tilt.
+/// The levers of an indenter that may tilt.
 struct Levers {
   Eigen::VectorXd arm;    ///< the lever arms of forces about the load
-  Eigen::VectorXd point;  ///< where the gaps are, which a tilt opens
-  double width;           ///< of the support, for both
+  Eigen::VectorXd point;  ///< the places of the gaps, which a tilt opens
+  double width;           ///< width of the support, for both
 };
 
-/// Where a path of pivots ended: reached, or in a ray, or with no pivot left.
+/// The end of a path of pivots: the target is reached, or the path is a ray, or there is no pivot.
 struct PivotPath {
   CellSet contact;  ///< one entry for each pair of variables
   bool reached;
   int pivots;
 };
 
-/// The contact reached when the load grows from 0 to 1: at most one cell touches or leaves at a time. Where friction makes the
-/// way turn, the load decreases again for a while. gaps = heights - approach + influence forces, and the moment about the load
-/// stays zero where there are levers; `first` is the cell that touches first, or the two cells then.
+/// Returns the contact that is reached when the load grows from 0 to 1. At most one cell touches or leaves at a time.
+/// If friction makes the path turn, the load decreases for a while. gaps = heights - approach + influence forces. With
+/// levers, the moment about the load stays zero. `first` is the cell that touches first; with levers the two cells.
 PivotPath load_path(const Eigen::MatrixXd& influence, const Eigen::VectorXd& heights,
                     const std::vector<std::size_t>& first, const std::optional<Levers>& levers, int most_pivots);
 
@@ -56,35 +57,38 @@ struct LemkeResult {
   CellSet contact;
   DiscreteState state;
   int pivots = 0;
-  /// The set is complementary: natural_residual() is below complementary_within.
+  /// True if the set is complementary: natural_residual() is below complementary_within.
   bool reached = false;
 };
 
-/// Natural residuals up to this one are rounding errors, in units of P/unit and c P.
+/// Natural residuals up to this limit are rounding errors, in units of P/unit and c P.
 inline constexpr double complementary_within = 1e-8;
 
-/// max_i |min(p_i, g_i)|: zero for a solution and for nothing else, given the loads. Over all cells, or over some.
+/// Returns max_i |min(p_i, g_i)| over all or some cells. For given loads it is zero if and only if the state is a
+/// solution.
 double natural_residual(const DiscreteProblem& problem, const DiscreteState& state);
 double natural_residual(const DiscreteProblem& problem, const DiscreteState& state,
                         const std::vector<std::size_t>& cells);
 
-/// Makes the system of a contact set; the problem outlives it.
+/// Makes the system of a contact set. The problem must outlive it.
 using BorderedSystemMaker =
     std::function<std::unique_ptr<BorderedSystem>(const DiscreteProblem& problem, const CellSet& contact)>;
 
-/// The whole mesh in one tableau: n^2 numbers, 2 n^2 operations a pivot, most often fewer than n pivots. `most_pivots`
-/// is for all paths together; 20 n is enough for all of the 2000 random problems of the tests' list, n = 128 and 256.
+/// Solves the whole mesh in one tableau: n^2 numbers, 2 n^2 operations for each pivot, mostly fewer than n pivots.
+/// `most_pivots` is the limit for all paths together; 20 n is sufficient for all 2000 random problems of the tests'
+/// list, n = 128 and 256.
 LemkeResult lemke(const DiscreteProblem& problem, int most_pivots);
 
-/// The same with a gap everywhere but on `cells`, which increase: what holds for the whole matrix holds for theirs.
-/// reached: these cells are complementary; whether others penetrate is for the caller to see.
+/// The same with a gap outside `cells`, which are in increasing order. Properties of the whole matrix also hold for
+/// theirs. `reached` means that these cells are complementary. The caller must check if others penetrate.
 LemkeResult lemke_among(const DiscreteProblem& problem, const std::vector<std::size_t>& cells, int most_pivots);
 
-/// Only the contested cells may change, the others are in contact or not as `contact` says. One solution with the
-/// contact set less the contested cells for each contested cell, then Lemke's method on the Schur complement, with the
-/// covering vector of ones. That matrix need not be copositive: the path may end in a ray, then reached = false and
-/// `contact` is what was certain. Where what is certain cannot bear the load alone: lemke_among() all of these cells.
-/// reached: the contested cells are complementary; whether the others are is for the caller to see.
+/// Only the contested cells may change; `contact` is fixed for the others. The method solves the system of the certain
+/// contact (the contact set without the contested cells) once for each contested cell. Then it applies Lemke's method
+/// to the Schur complement, with a covering vector of ones. This matrix may not be copositive. So the path may end in a
+/// ray; then reached = false and `contact` is the certain contact. If the certain contact cannot carry the load alone,
+/// it calls lemke_among() for all these cells. `reached` means that the contested cells are complementary. The caller
+/// must check the others.
 LemkeResult lemke_on(const DiscreteProblem& problem, const CellSet& contact, const std::vector<std::size_t>& contested,
                      const BorderedSystemMaker& bordered_system, int most_pivots);
 

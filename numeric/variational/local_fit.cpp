@@ -10,10 +10,10 @@
 namespace steadyslide::numeric::variational {
 namespace {
 
-// Bins end at this multiple of the distance they begin at, or one cell later.
+// A bin ends at this multiple of the distance of its start, or one cell later.
 constexpr double bin_ratio = 1.06;
 
-/// The values of all columns at y, in the order poles, terms, remainder; y counts in units of `length` but for |y|.
+/// Adds the values of all columns at y, in the order poles, terms, remainder. y is in units of `length`, except in |y|.
 void add_columns(const LocalSeries& series, Side side, double distance, double length, double weight,
                  Eigen::Ref<Eigen::VectorXd> row) {
   const double sign = side == Side::right ? 1 : -1;
@@ -29,7 +29,7 @@ void add_columns(const LocalSeries& series, Side side, double distance, double l
   for (int j = 0; j <= series.remainder; ++j, value *= y) row(column++) += value;
 }
 
-/// Means over a bin: all columns are analytic there, and c is two lengths of a bin away at least.
+/// Adds the means over a bin. All columns are analytic there, and c is at least two bin lengths away.
 void add_means(const LocalSeries& series, const Bin& bin, double length, Eigen::Ref<Eigen::VectorXd> row) {
   using Rule = boost::math::quadrature::gauss<double, 7>;
   const double middle = (bin.near + bin.far) / 2;
@@ -106,24 +106,24 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// A window and a series: the fits whose spread is the error of one result.
+/// A window and a series. The spread of the fits of a family is the error of a result.
 struct FamilyMember {
   Window window;
   int poles;
   int terms;
 };
 
-/// Length of the cell next to c on that side.
+/// Returns the length of the cell next to c on that side.
 double cell_length(const Cells& cells, double place, Side side) {
   const auto after = std::upper_bound(cells.edges.begin() + 1, cells.edges.end() - 1, place);
-  // On an edge: the cell to its right, the one to its left.
+  // If the place is a cell edge: the cell on its right and the cell on its left.
   const auto right =
       side == Side::left && *(after - 1) == place && after - 1 != cells.edges.begin() ? after - 1 : after;
   return *right - *(right - 1);
 }
 
-/// `sides`: those looked at. The windows are the same on both. `crowded`: an unknown exponent beside a polynomial,
-/// which leaves less room for other terms; fewer members.
+/// Returns the family for these sides. The windows are the same on both sides. `crowded`: there is an unknown exponent
+/// beside a polynomial, which leaves fewer terms to choose; the family has fewer members.
 std::vector<FamilyMember> family(const Cells& cells, const LocalPlace& place, std::span<const Side> sides,
                                  bool crowded = false) {
   double cell = 0;
@@ -148,7 +148,7 @@ std::vector<FamilyMember> family(const Cells& cells, const LocalPlace& place, st
   return result;
 }
 
-/// The window's cells on all sides.
+/// Returns the window's cells on all sides.
 std::vector<Bin> gathered(const Cells& cells, double place, std::span<const Side> sides, const Window& window) {
   std::vector<Bin> result;
   for (const Side side : sides) {
@@ -159,8 +159,8 @@ std::vector<Bin> gathered(const Cells& cells, double place, std::span<const Side
   return result;
 }
 
-/// About a free end's own place the first pole vanishes: Newton's step for it from x, where c_-1/(lambda c_0) is
-/// `step`; it leaves the step's square. Stays within two cells of `start`.
+/// Returns the place of a free end after a Newton step from x. At the exact place the first pole vanishes; `step` is
+/// c_-1/(lambda c_0) at x. The error is the square of the step. The result stays within two cells of `start`.
 Estimate<double> moved_place(const Cells& cells, double start, Side side, double x, const Estimate<double>& step) {
   if (step.convergence == Convergence::stalled) return {start, step.error, Convergence::stalled};
   const double most = 2 * cell_length(cells, start, side);
@@ -169,7 +169,8 @@ Estimate<double> moved_place(const Cells& cells, double start, Side side, double
 
 constexpr int steps_to_place = 4;
 
-/// Where the least squares left are least, by variable projection: a search for lambda alone, all else is linear.
+/// Finds the lambda with the least sum of squares, by variable projection: only lambda is searched, the other unknowns
+/// are linear.
 class BestExponent {
  public:
   BestExponent(std::vector<Bin> bins, const LocalSeries& series, double scaling)
@@ -181,7 +182,7 @@ class BestExponent {
     return fitted(bins_, series, scaling_);
   }
 
-  /// The least of the minima inside ]from, to[, of which there may be several; not a number if there is none.
+  /// Returns the lowest of the minima inside ]from, to[, of which there may be several; NaN if there is none.
   double search(double from, double to) const {
     const int steps = 4 + static_cast<int>(16 * (to - from));
     const auto at = [&](int i) { return from + (to - from) * i / steps; };
@@ -199,8 +200,9 @@ class BestExponent {
     return boost::math::tools::brent_find_minima(square, at(least - 1), at(least + 1), bits).first;
   }
 
-  /// The same in ]-1, 1[ for a power that stands alone. With poles lambda is known but for an integer: c_-1/c_0 decides
-  /// it, a length. What cells make of it is a part of their length `cell`, a leading term is more; NaN between.
+  /// The same in ]-1, 1[ for a power without a polynomial. With poles, lambda is known up to an integer. The length
+  /// c_-1/c_0 decides this integer: if c_-1 is an error of the cells, this length is a fraction of the cell length
+  /// `cell`; if it is a leading term, the length is larger. NaN in between.
   double search_alone(double cell) const {
     const double lambda = search(-0.15, 1.15);
     const SeriesFit found = fit(lambda);
@@ -209,7 +211,7 @@ class BestExponent {
     return length > 6 * cell ? search(lambda - 1.15, lambda - 0.85) : nan;
   }
 
-  /// The standard deviation of lambda if what is left were independent noise.
+  /// Returns the standard deviation of lambda if the residuals were independent noise.
   double deviation(double lambda) const {
     constexpr double step = 1e-3;
     const SeriesFit here = fit(lambda);
@@ -223,7 +225,7 @@ class BestExponent {
   double scaling_;
 };
 
-/// The slope of log|t| over log d: what rows are scaled by.
+/// Returns the slope of log|t| over log d, which scales the rows.
 double rough_exponent(std::span<const Bin> bins) {
   double weights = 0;
   double x_mean = 0;
@@ -244,7 +246,7 @@ double rough_exponent(std::span<const Bin> bins) {
   return xy / xx;
 }
 
-/// A family of fits of one series, but for its number of terms.
+/// A family of fits of one series with different numbers of terms.
 class Fits {
  public:
   Fits(const Cells& cells, double x, std::span<const Side> sides, std::span<const FamilyMember> members,

@@ -1,17 +1,18 @@
 #pragma once
-// What cells say about a singular point of the traction: the exponent itself by one who does not know it, and, where it
-// is known, the intensity. Signs and factors as in contact_solution.hpp:
+// Fits of the traction on cells next to a singular point: they measure the exponent without knowing it, and the
+// intensity if the exponent is known. Signs and factors as in contact_solution.hpp:
 //
 //   ends:   t = -theta d^lambda (1 + c_1 d + ...)
 //   jumps:  t = D(x)/(s+ - s-) - theta cos(pi alpha) |x-c|^beta (1 + b_1 (x-c) + ...), D = 0 without wedge
 //   wedge:  t = D(x)/(1+s^2) (log|x-c|/pi + s H(x-c)) + analytic;  intensity D(c)/(1+s^2), constant the analytic
 //           part at c, with lengths in the unit of the cells
 //
-// Each result is the median over a family of fits, which differ in window and in number of terms; the error is the
-// spread of the family, for exponents plus what noise from cell to cell does to one fit: an estimate, no bound. It is
-// the error of reading. An intensity may be off by more, if the cells hold a contact whose ends are a part of a cell
-// away; a second mesh shows that. An exponent is not: it depends on nothing but the equation nearby. Where the cells
-// are too few for the family, `stalled` with an infinite error. Nothing here knows of problems or solvers.
+// Each result is the median over a family of fits, which differ in window and in number of terms. The error is the
+// spread of the family; for exponents it also contains the effect of noise from cell to cell on one fit. It is an
+// estimate, not a bound, and it is the error of the fit only. An intensity may have a larger error if the ends of
+// contact on the cells are displaced by a fraction of a cell; a second mesh shows this. An exponent does not, because
+// it depends only on the local equation. If there are too few cells for the family, the result is `stalled` with an
+// infinite error. This file uses no problems and no solvers.
 
 #include <limits>
 #include <optional>
@@ -30,9 +31,10 @@ namespace steadyslide::numeric::variational {
 //   logarithm:  t = sum c_k y^k + sum r_j y^j (log|y|/pi + s H(y)),     the same
 //
 // a = left_factor for y < 0, right_factor for y > 0. The terms k >= 0 are the local form of the solution [Bal16,
-// theorems 2, 3 and 9], the c_k the same on both sides. The terms k < 0 solve the equation without load next to c as
-// well, with too much energy for a solution: what cells make wrong next to c reaches further cells as such terms, with
-// c_k of the order of the cells' length to the power -k. A place that is wrong by delta is c_-1 = +-lambda delta c_0.
+// theorems 2, 3 and 9]; the c_k are the same on both sides. The terms k < 0 also solve the homogeneous equation next to
+// c, but their energy is too large for a solution. Errors of the cells next to c appear in farther cells as such terms,
+// with c_k of the order of the cells' length to the power -k. An error delta of the place gives c_-1 = +-lambda delta
+// c_0.
 
 /// Means of t over cells, in any unit. mean.size() + 1 == edges.size(), edges increasing.
 struct Cells {
@@ -40,8 +42,8 @@ struct Cells {
   std::span<const double> mean;
 };
 
-/// The cells of one side of c between two distances, neighbours gathered where they are short beside their distance: a
-/// mean over near <= |y| <= far.
+/// A mean over the cells of one side of c with near <= |y| <= far. Neighbouring cells are combined if they are short
+/// compared with their distance.
 struct Bin {
   Side side;
   double near;
@@ -50,13 +52,13 @@ struct Bin {
   double weight;  ///< smooth, zero at the ends of the window
 };
 
-/// The distances of cells from c that a fit looks at.
+/// The distances from c of the cells that a fit uses.
 struct Window {
   double from;
   double to;
 };
 
-/// The cells wholly within the window. Empty unless they are shorter than half their distance.
+/// Returns the cells that lie completely in the window. Empty unless they are shorter than half their distance.
 std::vector<Bin> gathered(const Cells& cells, double place, Side side, const Window& window);
 
 struct LocalSeries {
@@ -73,56 +75,57 @@ struct SeriesFit {
   double amplitude = std::numeric_limits<double>::quiet_NaN();   ///< c_0
   double first_pole = std::numeric_limits<double>::quiet_NaN();  ///< c_-1
   double remainder = std::numeric_limits<double>::quiet_NaN();   ///< r_0
-  double square = std::numeric_limits<double>::infinity();       ///< weighted sum of the squares left
-  long freedom = 0;                                              ///< bins less coefficients
+  double square = std::numeric_limits<double>::infinity();       ///< weighted sum of squared residuals
+  long freedom = 0;                                              ///< number of bins minus number of coefficients
 };
 
-/// Rows are divided by |y|^scaling: with scaling = lambda errors are relative to the singular term. Bins that are no
-/// more than the coefficients are not fitted.
+/// Returns the fit. Rows are divided by |y|^scaling; with scaling = lambda, errors are relative to the singular term.
+/// There is no fit unless there are more bins than coefficients.
 SeriesFit fitted(std::span<const Bin> bins, const LocalSeries& series, double scaling);
 
-/// Where the point is, and how far on either side the next singular point lies: what the radius of convergence of the
-/// local form depends on, and where the windows end. Ends of other contact are such points, and so is every place of
-/// the contact where the profile changes its polynomial, with a wedge or without.
+/// The place of the point, and the distances to the next singular points on both sides. They determine the radius of
+/// convergence of the local form and the ends of the windows. Ends of other contact are such points, and so is every
+/// place of the contact where the profile changes its polynomial, with or without a wedge.
 struct LocalPlace {
   double x;
   double left = std::numeric_limits<double>::infinity();
   double right = std::numeric_limits<double>::infinity();
 };
 
-/// Is the place as given, or is it a free end which cells know to about one cell's length only?
+/// The accuracy of the place: exact, or a free end that the cells locate to about one cell length.
 enum class PlaceIs { exact, to_one_cell };
 
-/// The result of a family of fits: their median, the error their spread and what noise does to the median fit,
-/// `deviations` the standard deviation of each. Stalled where more than a third are no numbers.
+/// Returns the result of a family of fits: their median, with an error from their spread and from the noise of the
+/// median fit. `deviations` are the standard deviations of the fits. Stalled if fewer than three values, or fewer than
+/// two thirds of them, are finite.
 Estimate<double> of_family(std::vector<double> values, std::vector<double> deviations = {});
 
 struct FittedExponent {
   Estimate<double> exponent;
-  Estimate<double> place;  ///< as found if it was known to one cell
+  Estimate<double> place;  ///< the fitted place, if it was known to one cell
 };
 
-/// The power lambda of t on one side of c, if t = d^lambda (c_0 + c_1 y + ...): in ]-1, 1[, t of one sign; or beside a
-/// polynomial of degree `remainder`, as at a jump with a wedge: |lambda| < 1/2.
-/// A leading term that outweighs the next one only within a few cells of c is not seen: lambda is then one too large.
+/// Returns the power lambda of t on one side of c, for t = d^lambda (c_0 + c_1 y + ...): in ]-1, 1[ for t of one sign;
+/// or with a polynomial of degree `remainder`, as at a jump with a wedge: |lambda| < 1/2. If the leading term exceeds
+/// the next one only within a few cells of c, it is not found, and lambda is one too large.
 FittedExponent fitted_exponent(const Cells& cells, const LocalPlace& place, Side side, int remainder = -1,
                                PlaceIs known = PlaceIs::exact);
 
 struct FittedIntensity {
   Estimate<double> intensity;
-  Estimate<double> constant;  ///< zero where there is none
+  Estimate<double> constant;  ///< zero if there is none
   Estimate<double> place;
 };
 
-/// theta at an end whose contact lies on the side given.
+/// Returns theta at an end whose contact lies on the given side.
 FittedIntensity fitted_end(const Cells& cells, const LocalPlace& place, Side contact, double exponent,
                            PlaceIs known = PlaceIs::exact);
 
-/// theta, and the constant with a wedge, whose jump of slope D is a polynomial of degree `wedge` (-1: none).
+/// Returns theta, and the constant with a wedge, whose slope jump D is a polynomial of degree `wedge` (-1: none).
 FittedIntensity fitted_jump(const Cells& cells, const LocalPlace& place, double exponent, double cos_left,
                             double cos_right, int wedge = -1);
 
-/// The coefficient of log|x-c|/pi, and the constant.
+/// Returns the coefficient of log|x-c|/pi, and the constant.
 FittedIntensity fitted_wedge(const Cells& cells, const LocalPlace& place, double s, int wedge);
 
 }  // namespace steadyslide::numeric::variational

@@ -12,21 +12,21 @@ namespace {
 
 constexpr std::size_t coarsest = 64;
 constexpr std::size_t most_in_tableau = 1024;
-constexpr std::size_t tableau_work = 20'000'000'000;  // numbers changed by pivots: half a minute
+constexpr std::size_t tableau_work = 20'000'000'000;  // numbers that pivots change: half a minute
 constexpr std::size_t most_contested = 512;
-constexpr std::size_t most_factorised = 2000;  // for many right-hand sides
+constexpr std::size_t most_factorised = 2000;  // if there are many right-hand sides
 constexpr int most_rounds = 30;
 constexpr std::size_t most_coarser = 3;
 
-/// The cell of another uniform mesh in which the middle of cell i lies.
+/// Returns the cell of another uniform mesh that contains the middle of cell i.
 std::size_t coarse_cell(std::size_t i, std::size_t fine, std::size_t coarse) {
   return (2 * i + 1) * coarse / (2 * fine);
 }
 
-/// The contact that a mesh of twice the cells is likely to have. Towards a free end the square of the pressure falls along a
-/// line: how much of the last cell it ends behind is between nothing, where that cell is about to be released, and 0.8, where
-/// the next one is about to touch. Of ends at random places a third is released by one of the smaller cells and a sixth goes on
-/// by one: the limits are where so many lie.
+/// Returns the likely contact on a mesh with twice as many cells. Towards a free end the square of the pressure
+/// decreases linearly. The distance of the zero of this line from the middle of the last cell is between 0, if that
+/// cell is about to be released, and 0.8 cell lengths, if the next one is about to touch. For ends at random places, a
+/// third of them lose one of the smaller cells and a sixth gain one; the limits are set to these shares.
 CellSet refined_contact(const MeshSolution& coarse, std::size_t cells) {
   const CellSet& contact = coarse.found.contact;
   const std::vector<double>& p = coarse.found.state.pressure;
@@ -49,7 +49,8 @@ CellSet refined_contact(const MeshSolution& coarse, std::size_t cells) {
   return result;
 }
 
-/// n/2^k cells, rounded up, coarsest first; two at least: the error is seen by comparison.
+/// Returns n/2^k cells, rounded up, coarsest first. There are at least two meshes, because their comparison gives the
+/// error.
 std::vector<std::size_t> mesh_sizes(std::size_t cells) {
   std::vector<std::size_t> sizes{cells};
   while (sizes.size() < 2 || sizes.back() > coarsest) {
@@ -62,7 +63,7 @@ std::vector<std::size_t> mesh_sizes(std::size_t cells) {
 
 bool solved(const MeshSolution& solution) { return solution.found.outcome == ActiveSetResult::Outcome::solved; }
 
-/// Which cells are wrong in what Lemke's method has found?
+/// Finds the wrong cells in the result of Lemke's method.
 void inspect(MeshSolution& solution, const LemkeResult& found, ActiveSetOptions options) {
   options.most_steps = 1;
   options.first_tolerance = options.tolerance;
@@ -73,8 +74,8 @@ void inspect(MeshSolution& solution, const LemkeResult& found, ActiveSetOptions 
   solution.by_lemke = true;
 }
 
-/// Where the active sets cycle, Lemke's method decides: on all of a small mesh, or on the cells that are wrong, and
-/// on those that this turns wrong, until there are none.
+/// If the active sets cycle, Lemke's method continues: on the whole of a small mesh, or on the cells that are wrong and
+/// on cells that become wrong, until there are none.
 void go_on(MeshSolution& solution, const ActiveSetOptions& options) {
   const DiscreteProblem& problem = *solution.problem;
   const std::size_t n = problem.size();
@@ -93,7 +94,7 @@ void go_on(MeshSolution& solution, const ActiveSetOptions& options) {
     if (contested.size() > most_contested) return;
     const LemkeResult found = lemke_on(problem, solution.found.contact, {contested.begin(), contested.end()}, system,
                                        static_cast<int>(100 + 20 * contested.size()));
-    // A path that did not end where nothing else is in contact leaves no state to go on from.
+    // If the path did not reach its end and nothing else is in contact, there is no state to continue from.
     if (found.state.pressure.empty()) return;
     inspect(solution, found, options);
   }
@@ -104,7 +105,7 @@ bool is_finite(const DiscreteState& state) {
          std::all_of(state.pressure.begin(), state.pressure.end(), [](double p) { return std::isfinite(p); });
 }
 
-/// Cells under tension, and cells that penetrate by more than rounding.
+/// Returns the cells under tension, and the cells whose penetration exceeds rounding.
 std::vector<std::size_t> wrong_cells(const CellSet& contact, const DiscreteState& state,
                                      const std::vector<double>& gaps, double rounding) {
   std::vector<std::size_t> result;
@@ -127,7 +128,7 @@ ActiveSetResult active_set(const DiscreteProblem& problem, CellSet start, const 
   double tolerance = options.first_tolerance;
   int patience = options.patience;
   std::shared_ptr<ContactHull> hull;
-  std::unique_ptr<BorderedSystem> system;  // of the contact, if that is unchanged
+  std::unique_ptr<BorderedSystem> system;  // of the contact, if the contact has not changed
   while (true) {
     if (best.steps == options.most_steps) {
       best.outcome = ActiveSetResult::Outcome::out_of_steps;
@@ -146,7 +147,7 @@ ActiveSetResult active_set(const DiscreteProblem& problem, CellSet start, const 
     }
     SystemSolution solution = again ? system->refined(tolerance * scale) : solve(*system, problem);
     best.products += solution.products;
-    if (!is_finite(solution.state)) break;  // one cell alone cannot carry a load at another place
+    if (!is_finite(solution.state)) break;  // a single cell cannot carry a load at another place
     state = std::move(solution.state);
     const std::vector<double> gap = gaps(problem, state);
     std::vector<std::size_t> wrong = wrong_cells(contact, state, gap, 4 * options.tolerance * scale);
@@ -166,12 +167,12 @@ ActiveSetResult active_set(const DiscreteProblem& problem, CellSet start, const 
       best.outcome = ActiveSetResult::Outcome::solved;
       break;
     }
-    // Few wrong cells: the end is near, and what is nearly solved decides wrongly.
+    // With few wrong cells the search is nearly finished, and inaccurate equations would give wrong decisions.
     if (wrong.size() <= few) tolerance = options.tolerance;
     if (!wrong.empty()) system = nullptr;
     for (const std::size_t i : wrong) contact[i] = contact[i] ? 0 : 1;
     if (cells_of(contact).empty()) {
-      // All are released: the lowest of them touches first.
+      // If all cells are released, the lowest of them touches first.
       const auto lowest = std::min_element(wrong.begin(), wrong.end(), [&](std::size_t a, std::size_t b) {
         return problem.profile()[a] < problem.profile()[b];
       });
@@ -217,8 +218,8 @@ NestedResult solve_nested(const ContactProblem& problem, const VariationalOption
     const MeshSolution& coarse = result.coarse;
 
     ActiveSetOptions on_mesh;
-    // Behind a free end the gap grows as the 3/2-th power of the distance; what is less right than that within a cell takes
-    // in or releases wrong cells.
+    // Behind a free end the gap grows like the 3/2-th power of the distance. A larger error within a cell would add or
+    // release wrong cells.
     on_mesh.first_tolerance = std::max(0.05 * std::pow(static_cast<double>(n), -1.5), on_mesh.tolerance);
     on_mesh.most_steps = options.most_steps;
     on_mesh.after_step = [&](std::size_t) { report(); };

@@ -9,12 +9,12 @@
 namespace steadyslide::numeric::variational {
 namespace {
 
-/// Each kind of cells costs a transform: values of s that are close share one.
+/// Each kind of cells costs a transform; close values of s share one kind.
 constexpr std::size_t most_kinds = 4;
 
-/// Representative values: those that occur, or the means of most_kinds groups of them by angle.
+/// Returns representative values: the values that occur, or the means of most_kinds groups of them by angle.
 std::vector<double> representatives(std::vector<double> s) {
-  s.erase(std::unique(s.begin(), s.end()), s.end());  // neighbours: few are left to sort
+  s.erase(std::unique(s.begin(), s.end()), s.end());  // removes equal neighbours, so that few are left to sort
   std::sort(s.begin(), s.end());
   s.erase(std::unique(s.begin(), s.end()), s.end());
   if (s.size() <= most_kinds) return s;
@@ -27,7 +27,7 @@ std::vector<double> representatives(std::vector<double> s) {
   return result;
 }
 
-/// Few lengths that are fast: four in an octave, so that plans and symbols are shared.
+/// Returns one of a few fast lengths, four in an octave, so that plans and symbols are shared.
 std::size_t circle_length(std::size_t cells) {
   const std::size_t least = std::max<std::size_t>(cells + cells / 8, 16);
   const std::size_t octave = std::bit_floor(least);
@@ -39,12 +39,12 @@ std::size_t circle_length(std::size_t cells) {
 
 constexpr Eigen::Index points = ZoneCoupling::points;
 
-/// Chebyshev's points of [-1, 1].
+/// Returns Chebyshev's points of [-1, 1].
 double node(Eigen::Index i) {
   return std::cos((2 * static_cast<double>(i) + 1) * std::numbers::pi / (2 * static_cast<double>(points)));
 }
 
-/// The polynomial that is 1 at node i and 0 at the others.
+/// Returns the polynomial that is 1 at node i and 0 at the others.
 double lagrange(Eigen::Index i, double x) {
   double product = 1;
   for (Eigen::Index j = 0; j < points; ++j) {
@@ -53,12 +53,12 @@ double lagrange(Eigen::Index i, double x) {
   return product;
 }
 
-/// Zones of fewer cells than points have matrices without an inverse.
+/// Returns the pseudo-inverse, because zones with fewer cells than points have singular matrices.
 Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& matrix) {
   return Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(matrix).pseudoInverse();
 }
 
-/// No further apart than an eighth of the length, or a cell.
+/// True if the distance is at most an eighth of the length, or one cell.
 bool is_near(std::size_t a, std::size_t b, std::size_t length) {
   return (a > b ? a - b : b - a) <= std::max<std::size_t>(length / 8, 1);
 }
@@ -90,7 +90,7 @@ std::vector<std::complex<double>> SurfaceInverse::reciprocal(double s, const Fou
   const auto n = static_cast<double>(fourier.size());
   for (std::size_t k = 0; k < result.size(); ++k) {
     const double cot = k == 0 ? 0 : 1 / std::tan(std::numbers::pi * static_cast<double>(k) / n);
-    // The symbol of sum over the cells before, half of the cell itself: -i h/2 cot(theta/2).
+    // The sum over the cells before plus half of the cell itself has the symbol -i h/2 cot(theta/2).
     const std::complex<double> symbol = result[k] + s * length_ * std::complex(rest, -cot / 2);
     result[k] = std::conj(symbol) / std::norm(symbol);
   }

@@ -1,8 +1,8 @@
 #pragma once
-// An approximate inverse of the operator B on cells of a uniform mesh, by Fourier transforms: on a whole line under one
-// friction value B is a convolution and its symbol's reciprocal is exact; here each cell takes that of its own s. The
-// inverse's kernel falls as the square of the distance, so that the line may close soon behind the cells, and that zones
-// apart are inverted each by itself, by transforms no longer than the zone.
+// An approximate inverse of the operator B on cells of a uniform mesh, by Fourier transforms. On an infinite line with
+// one friction value, B is a convolution and the reciprocal of its symbol is exact. Here each cell uses the reciprocal
+// for its own s. The kernel of the inverse decreases like the square of the distance. So the line may be closed to a
+// circle soon behind the cells, and separate zones are inverted separately, by transforms not longer than the zone.
 
 #include <Eigen/Core>
 #include <functional>
@@ -15,7 +15,7 @@
 
 namespace steadyslide::numeric::variational {
 
-/// Neighbouring cells.
+/// A range of neighbouring cells.
 struct CellRange {
   std::size_t first;
   std::size_t count;
@@ -23,16 +23,16 @@ struct CellRange {
 
 class SurfaceInverse {
  public:
-  /// `length`: of a cell. The operator has to be there as long as this.
+  /// `length` is the length of a cell. The operator must outlive this object.
   SurfaceInverse(const GalerkinOperator& influence, double length);
-  /// From now on for pressures on these cells.
+  /// Restricts the inverse to pressures on these cells.
   void restrict_to(std::vector<CellRange> zones);
-  /// The pressure that pushes the surface down by about r (both over all cells), in each zone by the r in it; up to a
-  /// constant r in each zone, which is what the others there and the zone's own load make.
+  /// Computes the pressure whose displacement is approximately r (both over all cells), separately in each zone; up to
+  /// a constant of r in each zone, which the other zones and the zone's own load cause.
   void apply(std::span<const double> r, std::span<double> p);
 
  private:
-  /// Transforms of one length.
+  /// The transforms of one length.
   struct Circle {
     Fourier fourier;
     std::map<unsigned char, std::vector<std::complex<double>>> reciprocals;  ///< 1/symbol by the kind of cells
@@ -42,38 +42,38 @@ class SurfaceInverse {
   struct Zone {
     CellRange cells;
     Circle* circle;
-    std::vector<unsigned char> kinds;  ///< of its cells
+    std::vector<unsigned char> kinds;  ///< the kinds of its cells
   };
   std::vector<std::complex<double>> reciprocal(double s, const Fourier& fourier) const;
 
   const GalerkinOperator& influence_;
   double length_;
-  std::vector<double> values_;          ///< of s, one a kind
-  std::vector<unsigned char> kind_of_;  ///< of each cell: those under about the same s
+  std::vector<double> values_;          ///< values of s, one for each kind
+  std::vector<unsigned char> kind_of_;  ///< for each cell: cells with about the same s have the same kind
   std::map<std::size_t, Circle> circles_;
   std::vector<Zone> zones_;
-  std::vector<double> pressures_;  ///< room
+  std::vector<double> pressures_;  ///< work space
 };
 
-/// What zones of contact do to each other, for an approximate inverse M^-1 that takes each of them by itself. From outside a
-/// zone is seen at a few points of it alone, Chebyshev's: S p are the loads there, T y is interpolated between values there, and
+/// The coupling of contact zones, for an approximate inverse M^-1 that inverts each zone separately. From outside, a
+/// zone is represented by a few Chebyshev points: S p are the loads there, T y interpolates between values there, and
 ///
-///   B = M + T K S, nearly,   (M + T K S)^-1 = M^-1 - Phi (1 + K S Phi)^-1 K S M^-1,   Phi = M^-1 T,
+///   B ~ M + T K S,   (M + T K S)^-1 = M^-1 - Phi (1 + K S Phi)^-1 K S M^-1,   Phi = M^-1 T,
 ///
-/// where K is the kernel between points of different zones. Its blocks for a zone alone are what B does and M leaves out: M
-/// knows no constant. Without it each zone costs about one more step of Krylov's method.
+/// where K is the kernel between points of different zones. Its diagonal blocks are the part of B that M omits: M is
+/// only correct up to a constant. Without the coupling, each zone costs about one more step of Krylov's method.
 class ZoneCoupling {
  public:
   using Vector = Eigen::VectorXd;
   using Map = std::function<Vector(const Vector&)>;
-  /// Points of a zone: as many products are taken.
+  /// The number of points of a zone, which is also the number of products.
   static constexpr Eigen::Index points = 3;
 
-  /// Vectors are over `cells`, increasing, each in one of the zones, which are increasing too; h: length of a cell. Where the
-  /// zones of `last` are nearly these, its K is taken.
+  /// Vectors are over `cells`, in increasing order. Each cell is in one of the zones, which are also in increasing
+  /// order. h is the length of a cell. If the zones of `last` are nearly the same, its K is reused.
   ZoneCoupling(const GalerkinOperator& influence, double h, std::span<const std::size_t> cells,
                std::span<const CellRange> zones, const Map& product, const Map& inverse, const ZoneCoupling* last);
-  /// From M^-1 r to (M + T K S)^-1 r.
+  /// Changes p from M^-1 r to (M + T K S)^-1 r.
   void correct(Vector& p) const;
 
  private:
@@ -82,15 +82,15 @@ class ZoneCoupling {
   struct Zone {
     CellRange cells;
     double centre;
-    double half;             ///< half of its length
-    Eigen::Index first = 0;  ///< in vectors
+    double half;             ///< half the length of the zone
+    Eigen::Index first = 0;  ///< first entry in vectors
     Eigen::Index count = 0;
     Block moments = Block::Zero();  ///< S Phi
-    double friction = 0;            ///< s under its pressures
+    double friction = 0;            ///< s of the zone
   };
   static Eigen::Index row(std::size_t zone) { return points * static_cast<Eigen::Index>(zone); }
   bool fits(const ZoneCoupling& other) const;
-  /// K between points of different zones.
+  /// Returns K between points of different zones.
   Block kernel(const Zone& at, const Zone& from) const;
   void make_kernel(const Map& product);
 
@@ -98,7 +98,7 @@ class ZoneCoupling {
   double h_;
   double sign_;
   std::vector<Zone> zones_;
-  Matrix interpolation_;  ///< T, the columns of all zones in one another's place
+  Matrix interpolation_;  ///< T; the columns of all zones share the same columns
   Matrix responses_;      ///< Phi, likewise
   Matrix k_;
   DenseLu lu_;  ///< of 1 + K S Phi

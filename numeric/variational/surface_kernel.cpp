@@ -9,13 +9,13 @@
 namespace steadyslide::numeric::variational {
 namespace {
 
-/// int log|u| du.
+/// Returns int log|u| du.
 template <class T>
 T once(T u) {
   return u == 0 ? 0 : u * (std::log(std::abs(u)) - 1);
 }
 
-/// int int log|u| du du, but for a linear function, which second differences lose. They lose digits as well.
+/// Returns int int log|u| du du up to a linear function, which cancels in second differences. These also lose digits.
 long double twice(long double u) { return u == 0 ? 0 : u * u / 2 * (std::log(std::abs(u)) - 1.5L); }
 
 // Gauss-Legendre with eight points on [-1, 1], abscissae > 0: [AS, table 25.4].
@@ -33,7 +33,7 @@ double mean(double a, double b, const F& f) {
   return sum / 2;
 }
 
-/// The mean of log|u - v| over |v| < 1/2: a cell of length 1 seen from a point.
+/// Returns the mean of log|u - v| over |v| < 1/2, for a cell of length 1 and a point.
 double mean_log_from_point(double u) {
   if (std::abs(u) < 16) {
     const auto near = static_cast<long double>(u);
@@ -43,7 +43,7 @@ double mean_log_from_point(double u) {
   return std::log(std::abs(u)) - r * (1.0 / 6 + r * (1.0 / 20 + r * (1.0 / 42 + r * (1.0 / 72 + r / 110))));
 }
 
-/// Apart by this many lengths of a cell, the eight points take its mean to the last digits.
+/// From this distance on, in cell lengths, eight points give the mean to the last digits.
 constexpr double apart = 2;
 
 }  // namespace
@@ -52,7 +52,8 @@ double mean_log(double a, double b, double c, double d) {
   if (b - a > d - c) return mean_log(c, d, a, b);
   const double length = d - c;
   if (a == c) return std::log(length) - 1.5;
-  // What remains is the mean of log(distance + u + v) over 0 < u < shorter, 0 < v < length: no place is left to round.
+  // The rest is the mean of log(distance + u + v) over 0 < u < shorter, 0 < v < length. It contains no places that
+  // could be rounded.
   const double shorter = b - a;
   const double distance = std::max({c - b, a - d, 0.0});
   if (distance >= apart * length) {
@@ -61,12 +62,13 @@ double mean_log(double a, double b, double c, double d) {
   }
   const double beyond = distance + length;
   if (distance >= apart * shorter) {
-    // The longer cell exactly, the shorter one by points.
+    // Integrate exactly over the longer cell, and by points over the shorter one.
     return mean(0, shorter, [&](double u) { return once(beyond + u) - once(distance + u); }) / length;
   }
   const long double near = (twice(static_cast<long double>(distance) + shorter) - twice(distance)) / shorter;
   if (length >= apart * shorter) {
-    // The longer cell's far end by points: the exact second difference would be the smaller, the shorter the cell.
+    // The far end of the longer cell by points, because the exact second difference would be very small for a short
+    // cell.
     return static_cast<double>((mean(0, shorter, [&](double u) { return once(beyond + u); }) - near) / length);
   }
   const long double far = (twice(static_cast<long double>(beyond) + shorter) - twice(beyond)) / shorter;
@@ -75,7 +77,7 @@ double mean_log(double a, double b, double c, double d) {
 
 double mean_log_of_unit_cells(std::size_t k) {
   const auto x = static_cast<double>(k);
-  // Far away the second difference has no digits left; its expansion loses none.
+  // For large distances the second difference has no correct digits. Its expansion loses none.
   if (k < 16) {
     const auto u = static_cast<long double>(k);
     return static_cast<double>(twice(u + 1) - 2 * twice(u) + twice(u - 1));

@@ -7,10 +7,10 @@
 namespace steadyslide::numeric::variational {
 namespace {
 
-/// Places of a cell, in parts of its length, close to its ends, next to which the slope has logarithms.
+/// Places in a cell, as fractions of its length. They are denser near its ends, where the slope has logarithms.
 constexpr std::array places{0.0, 0.01, 0.04, 0.09, 0.16, 0.25, 0.37, 0.5, 0.63, 0.75, 0.84, 0.91, 0.96, 0.99, 1.0};
 
-/// The bound is the root of the duality gap.
+/// The error bound is the root of the duality gap.
 constexpr double near_enough = 1.1;
 constexpr int most_passes = 16;
 
@@ -21,22 +21,22 @@ class InnerGaps {
 
   struct Least {
     std::vector<double> below_mean;  ///< delta_i
-    double duality_gap;              ///< int p (gap - its least value anywhere), in units of c P^2
-    double within_cells;             ///< int p delta: what would be left of it if all least values were 0
+    double duality_gap;              ///< int p (gap - its minimum over all places), in units of c P^2
+    double within_cells;             ///< int p delta: the rest of it if all minima were 0
   };
   Least least(const DiscreteState& state) const;
 
  private:
-  /// The displacement by the logarithm alone at the place z of all cells.
+  /// Computes the displacement due to the logarithm only, at the place z of all cells.
   void displacement(std::size_t place, const std::vector<double>& p, std::vector<double>& result) const;
-  /// int s from the left end of cell i, over a part of it.
+  /// Returns int s from the left end of cell i, over a part of it.
   double friction(std::size_t i, double part) const;
 
   const DiscreteProblem& discrete_;
   CellProfile profile_;
-  std::vector<double> jumps_;  ///< of s
+  std::vector<double> jumps_;  ///< jumps of s
   std::vector<double> s_;
-  std::vector<double> breaks_;  ///< of the profile
+  std::vector<double> breaks_;  ///< breaks of the profile
   Fourier fourier_;
   std::vector<std::vector<std::complex<double>>> spectra_;
 };
@@ -89,7 +89,7 @@ InnerGaps::Least InnerGaps::least(const DiscreteState& state) const {
   const std::vector<double>& p = state.pressure;
   const CellFriction& s = discrete_.galerkin_operator().friction();
   const std::size_t n = mesh.size();
-  // What friction adds at the cells' left ends, as the operator counts it.
+  // The friction term at the cells' left ends, with the convention of the operator.
   std::vector<double> before(n + 1);
   for (std::size_t i = 0; i < n; ++i) before[i + 1] = before[i] + s.whole[i] * p[i];
   const double from_right = s.sign < 0 ? before[n] : 0;
@@ -104,7 +104,8 @@ InnerGaps::Least InnerGaps::least(const DiscreteState& state) const {
       const double height = k == 0 ? profile_(xi, Side::right) : profile_(xi, Side::left);
       lowest[i] = std::min(lowest[i], sample[i] + height + state.tilt * xi);
     }
-    // A wedge or a step may have the least gap at itself: displacements between two places along a line.
+    // The gap may have its minimum at a wedge or a step. There displacements are interpolated linearly between two
+    // places.
     for (const double xi : k == 0 ? std::vector<double>() : breaks_) {
       const std::size_t i = mesh.cell_at(xi);
       const double z = (xi - mesh.left(i)) / mesh.length(i);

@@ -1,4 +1,4 @@
-// Where the traction of a solution on cells is singular, and how strongly.
+// The singular points of the traction of a solution on cells, and their intensities.
 
 #include <algorithm>
 #include <cmath>
@@ -14,10 +14,10 @@ using variational::FittedIntensity;
 using variational::PlaceIs;
 
 constexpr Estimate<double> unknown{0, std::numeric_limits<double>::infinity()};
-/// Closer to each other than so many cells, places are not told apart.
+/// Places closer to each other than this number of cells are not separated.
 constexpr double fewest_between = 12;
 
-/// Its error: that of reading it off the cells, and what the next coarser mesh has it otherwise.
+/// Returns the fine value. Its error is that of the fit plus the difference from the next coarser mesh.
 Estimate<double> known(const Estimate<double>& fine, const Estimate<double>& coarse) {
   const auto is_read = [](const Estimate<double>& fitted) {
     return fitted.convergence == Convergence::reached && std::isfinite(fitted.value) && std::isfinite(fitted.error);
@@ -44,7 +44,7 @@ VariationalSolution::Place VariationalSolution::end_place(const Run& run, End en
     const Rational& x = end == End::left ? problem_.indenter().left() : problem_.indenter().right();
     return make(boundary, x, SingularKind::edge);
   }
-  // A step whose protruding side is the contact's, in the cell next to the end.
+  // A step in the cell next to the end, whose protruding side is in contact.
   const auto& pieces = problem_.indenter().pieces();
   const Rational low = mesh().frame().origin + mesh().frame().unit * Rational(mesh().left(cell - (end == End::left)));
   const auto first = std::lower_bound(pieces.begin(), pieces.end() - 1, low,
@@ -57,7 +57,7 @@ VariationalSolution::Place VariationalSolution::end_place(const Run& run, End en
       return make(x, piece->to, SingularKind::step);
     }
   }
-  // Exact: where friction jumps at a cell's edge, rounding would choose the side.
+  // Exact, because if friction jumps at a cell's edge, rounding would decide the side.
   const Rational edge = Rational(mesh().left(end == End::left ? cell : cell + 1));
   return make(boundary, mesh().frame().origin + mesh().frame().unit * edge, SingularKind::free);
 }
@@ -68,7 +68,8 @@ void VariationalSolution::find_places() {
   std::size_t next = 1;
   for (const Run& run : runs_) {
     places_.push_back(end_place(run, End::left));
-    // Where two pieces meet strictly inside the run, with a cell of contact on either side of their own.
+    // Places where two pieces meet strictly inside the run, with a cell of contact on both sides of the cell that
+    // contains them.
     const double from = edges_[run.begin] + cell_length();
     const double to = edges_[run.end] - cell_length();
     for (; next < pieces.size(); ++next) {
@@ -86,10 +87,10 @@ void VariationalSolution::find_places() {
       if (beta.sign() != 0) {
         place.exponent = beta;
       } else if (!wedge) {
-        place.exponent = Exponent(0);  // nothing blows up or vanishes; the polynomial changes
+        place.exponent = Exponent(0);  // the traction neither blows up nor vanishes; the polynomial changes
       }
       const bool repeated = !places_.back().is_end() && places_.back().x == x;
-      // Places that double cannot tell apart: the last break.
+      // Keep the last break of places that double cannot distinguish.
       if (repeated && place.wedge_degree < 0) continue;
       if (repeated) places_.pop_back();
       places_.push_back(place);
@@ -107,12 +108,12 @@ void VariationalSolution::find_end_errors() {
   if (runs_.empty()) return;
   const double cell = cell_length();
   if (runs_.size() == 1 && runs_.front().end - runs_.front().begin == 1) {
-    // All the load on one cell says nothing of where contact ends.
+    // If one cell carries all the load, the place of the ends is unknown.
     for (Place& place : places_) place.error = place.moved = place.is_end() && !place.exact ? unit_ : 0;
     return;
   }
   const variational::CellSet& coarse = found_.coarse.found.contact;
-  // How far from x the coarser contact begins, or ends.
+  // Returns the distance from x to the place where the coarser contact begins, or ends.
   const auto moved = [&](const Place& end) {
     double least = edges_.back() - edges_.front();
     for (std::size_t i = 0; i < coarse.size(); ++i) {
@@ -134,7 +135,7 @@ void VariationalSolution::find_end_errors() {
   };
   std::vector<Place*> ends;
   for (const std::size_t end : ends_) ends.push_back(&places_[end]);
-  // Ends of gaps that the coarser mesh does not have have moved by no more than their gap.
+  // If the coarser mesh does not have a gap, its ends have moved by at most the length of the gap.
   std::vector<double> by(ends.size());
   std::vector<char> is_new(ends.size());
   for (std::size_t k = 1; k + 1 < ends.size(); k += 2) is_new[k] = is_new[k + 1] = closed(ends[k]->x, ends[k + 1]->x);
@@ -219,8 +220,8 @@ std::vector<SolvedSingularPoint<double>> VariationalSolution::singular_points() 
   std::vector<SolvedSingularPoint<double>> result;
   for (const Place& place : places_) {
     const bool wedge_only = place.kind == SingularKind::wedge;
-    // Where only a curvature changes nothing is singular; a measured profile has a wedge at every point, which cells
-    // can show only if it stands alone.
+    // If only a curvature changes, nothing is singular. A measured profile has a wedge at every point; cells can show a
+    // wedge only if it is isolated.
     if (wedge_only && place.exponent) continue;
     const auto& around = place.surroundings;
     if (wedge_only && std::min(around.left, around.right) < fewest_between * cell_length()) continue;

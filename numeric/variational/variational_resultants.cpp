@@ -1,15 +1,16 @@
-// Forces of a solution on cells, and how well cells know them.
+// Forces of a solution on cells, and their errors.
 //
-// How loads differ from mesh to mesh shows their error, but one difference may be small by chance: ends and jumps lie in their
-// cells now here, now there. Errors are 1/N or less. So the differences of the last four meshes count, each as much as 1/N
-// would leave of it, and twice: their sum is then eight times an error that is just 1/N.
+// The difference of loads between meshes shows their error. But a single difference may be small by chance, because
+// ends and jumps lie at varying positions in their cells. Errors are 1/N or less. So the differences of the last four
+// meshes are added, each reduced to this mesh as an error of 1/N would be, and doubled. For an error that is just 1/N,
+// the sum is eight times this error.
 //
-// Three things none of these meshes shows; each is a load that may be elsewhere. Of a zone of n cells the load is known to about
-// 16/n^2 of it. A contact that ends within a cell of a friction jump may reach beyond it: the load of that cell, or of as many
-// as the end has moved by, may be under the other friction. Where friction jumps twice within two cells, the load of all cells
-// so close to the jump may be; of such jumps the worst counts, since what stripes finer than cells are wrong by cancels. A load
-// p that changes sides at a jump of s lifts the surface beyond by c [s] p: other pieces and zones lose or gain up to 2 [s] p of
-// their load.
+// These meshes do not show three errors; in each case a load may be at another place. The load of a zone of n cells has
+// a relative error of about 16/n^2. A contact that ends within a cell of a friction jump may reach beyond it: then the
+// load of that cell, or of the cells by which the end has moved, is under the other friction. If friction jumps twice
+// within two cells, this holds for the load of all cells so close to the jump; only the worst of such jumps counts,
+// because the errors of stripes finer than cells cancel. A load p that changes sides at a jump of s lifts the surface
+// beyond the jump by c [s] p: other pieces and zones lose or gain up to 2 [s] p of their load.
 
 #include <algorithm>
 #include <cmath>
@@ -118,7 +119,8 @@ Resultants<double> VariationalSolution::resultants() const {
   mu.error += at_short_pieces;
   lifting = 2 * to_real<double>(problem_.elasticity().gamma()) * (lifting + at_short_pieces);
 
-  // In zones of few cells: what one gains the others lose. Zones are wrong by chance each, so that squares add up.
+  // In zones of few cells: one zone gains the load that others lose. The errors of zones are independent, so squares
+  // are added.
   std::vector<double> in_zones(f.size());
   double in_all_zones = 0;
   double friction_in_zones = 0;

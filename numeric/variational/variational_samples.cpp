@@ -1,4 +1,4 @@
-// A solution on cells at places of the surface, and what integrals of the pressures add to these samples.
+// Samples of a solution on cells at places of the surface, and integrals of the pressures for these samples.
 
 #include <algorithm>
 #include <bit>
@@ -11,7 +11,8 @@
 namespace steadyslide::numeric {
 namespace {
 
-/// Values at the middles of equal cells, joined by straight lines, as many cells' lengths as this from the first middle.
+/// Returns values at the middles of equal cells, interpolated linearly. `cells` is the distance from the first middle,
+/// in cell lengths.
 double interpolated(const std::vector<double>& values, double cells) {
   const std::size_t i = cells <= 0 ? 0 : std::min(static_cast<std::size_t>(cells), values.size() - 2);
   return values[i] + (cells - static_cast<double>(i)) * (values[i + 1] - values[i]);
@@ -23,7 +24,7 @@ double interpolated_within(const std::vector<double>& values, double xi) {
   return interpolated(values, std::clamp((xi + 0.5) * n - 0.5, 0.0, n - 1));
 }
 
-/// The sum of f(i) over all cells in contact.
+/// Returns the sum of f(i) over all cells in contact.
 template <class F>
 double sum_over(const std::vector<VariationalSolution::Run>& runs, const F& f) {
   double sum = 0;
@@ -40,7 +41,7 @@ using variational::DiscreteState;
 Estimate<double> VariationalSolution::traction(std::size_t cell) const {
   const double t = traction_[cell];
   if (t == 0) return {};
-  // What the next mesh would change, and how much t varies within the cell.
+  // The expected change on the next mesh, and the variation of t within the cell.
   const double before = cell > 0 ? traction_[cell - 1] : t;
   const double after = cell + 1 < traction_.size() ? traction_[cell + 1] : t;
   const double variation = std::max(std::abs(t - before), std::abs(t - after)) / 2;
@@ -89,7 +90,8 @@ Sample<double> VariationalSolution::at(const Rational& x) const {
     const double height = to_real<double>(Rational(variational::profile_above_middle(problem_, x) /
                                                    (problem_.elasticity().compliance() * problem_.load())));
     const double gap = height + state().tilt * xi + displacement(xi) - state().approach;
-    // What a straight line between cells misses, and how far the coarser mesh has the indenter elsewhere.
+    // The error of linear interpolation between cells, and the difference in the indenter's position on the coarser
+    // mesh.
     const DiscreteState& coarse = found_.coarse.found.state;
     const double shift = std::abs(state().approach - coarse.approach) + std::abs((state().tilt - coarse.tilt) * xi);
     result.gap = Estimate<double>{height_ * gap, height_ * (curvature(right) + shift + 1e-15 * std::abs(height))};
@@ -100,7 +102,7 @@ Sample<double> VariationalSolution::at(const Rational& x) const {
       const double value = profile + height_ / unit_ * state().tilt;
       return {value, 4e-16 * std::abs(value)};
     }
-    // Off the contact u' = -(c P/unit) d(B p)/dxi, by differences.
+    // Outside the contact u' = -(c P/unit) d(B p)/dxi, by differences.
     const std::size_t k = std::clamp<std::size_t>(cell, 1, displacement_.size() - 2);
     const double scale = -height_ / (unit_ * mesh().length(0));
     return {scale * (displacement_[k + 1] - displacement_[k - 1]) / 2, std::abs(scale) * curvature(k)};
@@ -137,12 +139,12 @@ PiecewiseTraction<double> VariationalSolution::piecewise_traction() const {
   std::size_t piece = 0;
   for (const Run& run : runs_) {
     for (std::size_t i = run.begin; i < run.end; ++i) {
-      // Cut where the friction jumps.
+      // Divide the cell where the friction jumps.
       const Estimate<double> t = traction(i);
       const double size = std::abs(t.value);
       const double error = size == 0 ? 0 : t.error / size;
-      // What the coarser mesh has on the other side of a place is a load that is displaced; from end to end of a gap that
-      // is a force. Of what varies within a cell the sum is 0.
+      // Load that the coarser mesh has on the other side of a place is displaced load; across a gap this is a force.
+      // Variations within a cell have the sum 0.
       const auto displaced = [&](double xi) {
         const double moved = std::abs(meshes_[0].before_place(xi) - meshes_[1].before_place(xi)) + 1e-15;
         return size == 0 ? 0 : to_real<double>(problem_.load()) * moved / size;
@@ -192,7 +194,7 @@ Estimate<double> VariationalSolution::rise_beyond(double xi) const {
 }
 
 std::vector<double> VariationalSolution::shear_transform(const std::vector<double>& traction) const {
-  // The sum over cells j of t_j times the slope that a cell makes i - j cells further: a convolution.
+  // The sum over cells j of t_j times the slope at a distance of i - j cells is a convolution.
   const std::size_t n = traction.size();
   const std::size_t size = std::bit_ceil(2 * n);
   const variational::Fourier fourier(size);

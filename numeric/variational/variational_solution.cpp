@@ -99,10 +99,10 @@ EstimatedError<double> VariationalSolution::estimated_error() const {
   EstimatedError<double> result{0, 0, 0};
   if (runs_.empty()) return result;
   const double hull = mesh().right(runs_.back().end - 1) - mesh().left(runs_.front().begin);
-  // Everything may be at edges: then the cell is what ends are known to.
+  // If all ends are edges, the error of ends is still given as one cell.
   result.ends = mesh().length(0) / hull;
   for (const Place& place : places_) result.ends = std::max(result.ends, place.error / (unit_ * hull));
-  // In the mean over the load: where t is singular no number bounds it.
+  // The mean over the load, because where t is singular the error is unbounded.
   for (std::size_t i = 0; i < traction_.size(); ++i) {
     result.traction += std::abs(traction_[i] - coarse_traction(i)) / stress_ * mesh().length(i);
   }

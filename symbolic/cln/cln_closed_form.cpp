@@ -27,14 +27,14 @@ Exponent alpha(const ContactProblem& problem, std::size_t piece) {
   return Exponent::angle(problem.coupled_friction(piece));
 }
 
-/// A choice of the jumps inside the contact, first <= index < last, and the parabola's two equations for it:
-/// sum p r = 0 and sum p r^2 = moment.
+/// One choice of the jumps inside the contact, first <= index < last, with the two equations of the parabola: sum p
+/// r = 0 and sum p r^2 = moment.
 struct Equations {
   cl_F power_left;
   cl_F power_right;
   cl_F first_sum;   ///< sum of beta c over the jumps inside
   cl_F second_sum;  ///< sum of beta c^2, minus the moment
-  cl_F size;        ///< a length that the contact does not exceed by orders of magnitude
+  cl_F size;        ///< a length; the contact is not longer by orders of magnitude
 };
 
 struct Ends {
@@ -42,8 +42,8 @@ struct Ends {
   cl_F right;
 };
 
-/// Newton's method from a zone that is far too wide: the residuals decrease monotonically from there, to the pair with
-/// left < right. False if there is no such pair.
+/// Newton's method from a zone that is far too wide. From there the residuals decrease monotonically to the pair with
+/// left < right. Returns false if there is no such pair.
 bool solve(const Equations& e, const Numbers& number, Ends& ends) {
   ends = {-e.size, e.size};
   const cl_F tiny = e.size * power_of_ten(-number.digits - cln_guard_digits, number.format);

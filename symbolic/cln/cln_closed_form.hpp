@@ -1,6 +1,6 @@
 #pragma once
-// Closed-form tractions to any number of digits, in CLN: a witness of the numeric layer's closed forms that shares only
-// the model with it. Every one of them has the form
+// Closed-form tractions to any number of digits, in CLN. They check the closed forms of the numeric layer and share
+// only the model with it. Each has the form
 //
 //   t(x) = -K cos(pi alpha(x)) prod_j |x - e_j|^{p_j},   e_j: the contact's ends and the friction jumps inside it,
 //   flat punch [Bal16, (4), (5)-(7)]:   K = load/pi,  p = -(1/2+alpha_0), beta_1, ..., -(1/2-alpha_m),
@@ -9,7 +9,7 @@
 // beta = alpha(c-) - alpha(c+), pi alpha = arctan(s), s = problem.coupled_friction. The user's units and the user's x.
 // A parabola psi = A x^2 + B x + C has R = c/(2A), c the compliance; with r = x + B/(2A), its contact ends solve
 //   sum p_j r_j = 0,   sum p_j r_j^2 = 2 load R / pi.
-// Not thread-safe, as CLN is not.
+// Not thread-safe, because CLN is not.
 
 #include <cstddef>
 #include <memory>
@@ -22,23 +22,24 @@ namespace steadyslide::symbolic {
 
 class ClnClosedForm {
  public:
-  /// The flat punch in full contact. Throws std::domain_error unless the profile is one constant, the indenter is rigid
-  /// and keeps its attitude, and digits >= 1.
+  /// Returns the flat punch in full contact. Throws std::domain_error unless the profile is one constant, the indenter
+  /// is rigid and cannot tilt, and digits >= 1.
   static ClnClosedForm flat_punch(const ContactProblem& problem, int digits);
 
-  /// Every contact zone inside the support that satisfies the parabola's two equations with the jumps it contains, left
-  /// to right; none if the contact reaches an edge. Ends by Newton's method, for every range of neighbouring jumps in
-  /// turn. An end that lies on a jump to all digits counts as beside it. Throws std::domain_error unless the profile is
-  /// one parabola that opens upwards (A > 0), the indenter keeps its attitude, and digits >= 1.
+  /// Returns, from left to right, every contact zone inside the support that satisfies the parabola's two equations
+  /// with the jumps it contains. The list is empty if the contact reaches an edge. Newton's method finds the ends, once
+  /// for each range of neighbouring jumps. An end that agrees with a jump to all digits is taken to lie beside the
+  /// jump. Throws std::domain_error unless the profile is one parabola that opens upwards (A > 0), the indenter cannot
+  /// tilt, and digits >= 1.
   static std::vector<ClnClosedForm> parabola(const ContactProblem& problem, int digits);
 
   Decimal left() const;
   Decimal right() const;
-  /// The friction jumps strictly inside the contact are those with first_jump() <= index < last_jump().
+  /// The friction jumps strictly inside the contact have first_jump() <= index < last_jump().
   std::size_t first_jump() const;
   std::size_t last_jump() const;
-  /// t(x) <= 0 strictly inside the contact, 0 outside of it. Throws std::domain_error where x is an edge or a friction
-  /// jump inside the contact, and where x is so near a free end that the digits carried do not tell them apart.
+  /// t(x) <= 0 strictly inside the contact, 0 outside of it. Throws std::domain_error if x is an edge or a friction
+  /// jump inside the contact, or so close to a free end that the working precision cannot distinguish them.
   Decimal traction(const Rational& x) const;
 
  private:

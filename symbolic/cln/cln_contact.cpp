@@ -16,7 +16,7 @@ bool ClnContact::free_ends_fit() const {
   const Place& left = places.front();
   const Place& right = places.back();
   const std::vector<Rational>& jumps = problem.friction().jumps();
-  // The signed length from a place of the data to an end; an end may be wrong by less than `touch`.
+  // Returns the signed length from a place of the data to an end. The error of an end is below `touch`.
   const auto beyond = [&](const Place& end, const Rational& x) { return end.rest - number(Rational(x - end.exact)); };
   const cl_F touch =
       (beyond(right, origin) - beyond(left, origin)) * power_of_ten(-digits - cln_guard_digits / 2, format);

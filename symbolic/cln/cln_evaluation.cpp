@@ -7,7 +7,7 @@
 namespace steadyslide::symbolic {
 namespace {
 
-/// The formulas of [Bal16, section 2] as they stand, not the model's (which go through Kolosov's constant).
+/// The formulas as printed in [Bal16, section 2]. The model uses others, with Kolosov's constant.
 Rational gamma(const Rational& nu, Plane plane) {
   if (nu <= -1 || 2 * nu >= 1) throw std::domain_error("gamma: -1 < nu < 1/2; " + to_string(nu));
   return plane == Plane::strain ? Rational((1 - 2 * nu) / (2 * (1 - nu))) : Rational((1 - nu) / 2);

@@ -17,7 +17,7 @@ Integer integer_from_cln(const cln::cl_I& value) {
   return Integer(text.str());
 }
 
-/// Summed as it is written; `largest` becomes the binary exponent of the largest term.
+/// Sums the terms in the given order. Sets `largest` to the binary exponent of the largest term.
 cln::cl_F sum_of_terms(const Exponent& exponent, cln::float_format_t format, sintE& largest) {
   const cln::cl_F pi = cln::pi(format);
   cln::cl_F sum = to_cln(exponent.offset(), format);
@@ -54,7 +54,7 @@ Rational from_cln(const cln::cl_F& value) {
 cln::cl_F to_cln(const Exponent& exponent, int digits) {
   const int wanted = digits + cln_guard_digits;
   if (exponent.sign() == 0) return cln::cl_float(cln::cl_I(0), cln_format(wanted));
-  // Doubling the digits ends, since the exact value is not zero.
+  // The doubling of the digits ends, because the exact value is not zero.
   for (int carried = wanted;; carried *= 2) {
     sintE largest = 0;
     const cln::cl_F sum = sum_of_terms(exponent, cln_format(carried), largest);

@@ -11,10 +11,10 @@ Rational power_of_ten(int exponent) {
   return exponent < 0 ? Rational(1, power) : Rational(power);
 }
 
-/// The e with 10^e <= value < 10^(e+1), for value > 0.
+/// Returns e with 10^e <= value < 10^(e+1), for value > 0.
 int decimal_exponent(const Rational& value) {
   const auto length = [](const Integer& n) { return static_cast<int>(n.str().size()); };
-  // The lengths leave two possibilities.
+  // The numbers of digits leave two possible values.
   const int upper = length(boost::multiprecision::numerator(value)) - length(boost::multiprecision::denominator(value));
   return value < power_of_ten(upper) ? upper - 1 : upper;
 }

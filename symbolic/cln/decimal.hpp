@@ -1,5 +1,5 @@
 #pragma once
-// A number rounded to N significant decimal digits, as text and as the exact rational that the text says.
+// A number rounded to N significant decimal digits: the text, and the exact value of this text.
 
 #include <string>
 
@@ -12,7 +12,7 @@ struct Decimal {
   std::string text;  ///< "-0.01230", "1.50e-30", "0": all N digits, with an exponent below 1e-5 and from 1eN
 };
 
-/// To nearest, halves away from zero. Throws std::domain_error unless digits >= 1.
+/// Rounds to nearest, halves away from zero. Throws std::domain_error unless digits >= 1.
 Decimal rounded(const Rational& value, int digits);
 
 }  // namespace steadyslide::symbolic

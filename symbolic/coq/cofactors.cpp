@@ -7,7 +7,7 @@ Cofactors cofactors(const Polynomial& polynomial, const std::vector<Root>& roots
   Cofactors result;
   result.roots.resize(roots.size());
   result.inverses.resize(inverses.size());
-  Polynomial rest = polynomial;  // times `factor` it is what is left
+  Polynomial rest = polynomial;  // times `factor`: the part that is not yet divided
   Polynomial factor(1);
 
   // With x = divisor * inverse, of degree m in the inverse q:

@@ -1,10 +1,12 @@
 #pragma once
-// Why a polynomial is zero in the exact field, for a reader who trusts none of our normal forms: it is written as
+// A proof that a polynomial is zero in the exact field, which does not rely on our normal forms. The polynomial is
+// written as
 //
 //   P = sum_k c_k (root_k^2 - square_k) + sum_j e_j (divisor_j inverse_j - 1) + remainder
 //
-// in independent generators. The identity is one between polynomials, whatever the generators are; where roots have their
-// squares and inverses are inverses, P is the remainder, and that is zero if and only if P is zero in the field.
+// in independent generators. This is an identity between polynomials and holds for all values of the generators. If
+// root_k^2 = square_k and divisor_j inverse_j = 1, then P is the remainder; it is zero if and only if P is zero in the
+// field.
 
 #include <vector>
 
@@ -19,7 +21,7 @@ struct Root {
 
 struct Inverse {
   std::size_t generator;
-  Polynomial divisor;  ///< without inverses that stand behind this one
+  Polynomial divisor;  ///< contains no inverse that follows this one
 };
 
 struct Cofactors {
@@ -28,7 +30,7 @@ struct Cofactors {
   Polynomial remainder;
 };
 
-/// By successive division, the last inverse first.
+/// Computes the cofactors by successive division, the last inverse first.
 Cofactors cofactors(const Polynomial& polynomial, const std::vector<Root>& roots, const std::vector<Inverse>& inverses);
 
 }  // namespace steadyslide::symbolic

@@ -12,7 +12,7 @@ namespace {
 
 using GiNaC::ex;
 
-/// GiNaC::I as the field's own unit.
+/// Replaces GiNaC::I by the imaginary unit of the field.
 class FieldUnit : public GiNaC::map_function {
  public:
   explicit FieldUnit(const std::vector<PhaseField::Radical>& radicals) : radicals_(radicals) {}
@@ -35,11 +35,11 @@ int exponent_of(const ex& power) {
 }
 
 bool is_negative(const ex& term) {
-  const ex number = GiNaC::is_a<GiNaC::mul>(term) ? term.op(term.nops() - 1) : term;  // a product's number comes last
+  const ex number = GiNaC::is_a<GiNaC::mul>(term) ? term.op(term.nops() - 1) : term;  // a product's number is last
   return GiNaC::is_a<GiNaC::numeric>(number) && number.info(GiNaC::info_flags::negative);
 }
 
-/// The operands' texts in one order for every run.
+/// Joins the texts of the operands in an order that is the same in every run.
 std::string joined(std::vector<std::string> parts, const std::string& sign) {
   std::ranges::sort(parts);
   std::string all;
@@ -63,7 +63,7 @@ CoqEquation::CoqEquation(const WrittenEquation& equation, const std::vector<Phas
   }
 }
 
-/// Returns how deep divisions are nested in it.
+/// Returns the nesting depth of divisions in the expression.
 int CoqEquation::collect(const ex& e) {
   if (GiNaC::is_a<GiNaC::symbol>(e)) {
     const auto& symbol = GiNaC::ex_to<GiNaC::symbol>(e);
@@ -122,7 +122,8 @@ std::string CoqEquation::inverse_of(const ex& divisor) const {
   return "inv_" + std::to_string(std::distance(divisors_.begin(), place) + 1);
 }
 
-/// With divisors by the names of their inverses, or, to tell these apart, by themselves.
+/// Returns the text. If `named`, a divisor appears as the name of its inverse; otherwise it appears as its own text,
+/// which distinguishes divisors.
 std::string CoqEquation::text(const ex& e, bool named) const {
   if (GiNaC::is_a<GiNaC::symbol>(e)) return GiNaC::ex_to<GiNaC::symbol>(e).get_name();
   if (GiNaC::is_a<GiNaC::numeric>(e)) return coq_number(number_of(e));

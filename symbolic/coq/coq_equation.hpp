@@ -1,8 +1,8 @@
 #pragma once
-// An equation of the exact field as Coq reads it in algebra.v, operation for operation as it was put in: 1/d is an element
-// inv_j with d * inv_j = [1], a root an element with the square that it has, everything else an independent symbol. Terms
-// and factors stand in one order; which of a - b and b - a GiNaC has written may change from run to run. For sources of
-// this layer and tests only.
+// An equation of the exact field in the notation of algebra.v, with the same operations as in the given expression. 1/d
+// becomes an element inv_j with d * inv_j = [1]; a root becomes an element with its square; everything else is an
+// independent symbol. The order of terms and factors is fixed. GiNaC may write a - b or b - a, and this may change from
+// run to run. For sources of this layer and tests only.
 
 #include <ginac/ginac.h>
 
@@ -17,19 +17,19 @@ namespace steadyslide::symbolic {
 
 class CoqEquation {
  public:
-  /// Throws std::domain_error outside the field, and where two symbols have one name.
+  /// Throws std::domain_error if an expression is not in the field, or if two symbols have the same name.
   CoqEquation(const WrittenEquation& equation, const std::vector<PhaseField::Radical>& radicals);
 
   std::string lhs() const { return text(lhs_); }
   std::string rhs() const { return text(rhs_); }
-  /// lhs - rhs, expanded and not reduced.
+  /// Returns lhs - rhs, expanded and not reduced.
   Polynomial difference() const { return polynomial(lhs_) - polynomial(rhs_); }
 
-  /// Of the generators: symbols and roots in the order of the alphabet, then inverses.
+  /// Returns the names of the generators: symbols and roots in alphabetical order, then inverses.
   std::vector<std::string> names() const;
   std::vector<Root> roots() const;
   std::vector<Inverse> inverses() const;
-  /// left = right for each root and then for each inverse.
+  /// The relation left = right of a root or of an inverse; roots come first.
   struct Relation {
     std::string left;
     std::string right;
@@ -37,13 +37,14 @@ class CoqEquation {
   std::vector<Relation> relations() const;
 
  private:
-  /// Divisors by the depth of the divisions in them and by their text: none is in one that stands before it.
+  /// The divisors, ordered by the nesting depth of the divisions in them, then by text. So no divisor contains a later
+  /// one.
   using Divisors = std::map<std::pair<int, std::string>, GiNaC::ex>;
 
   int collect(const GiNaC::ex& expression);
   std::string text(const GiNaC::ex& expression, bool named = true) const;
   std::string factor(const GiNaC::ex& expression, bool named) const;
-  /// The name of its inverse.
+  /// Returns the name of the divisor's inverse.
   std::string inverse_of(const GiNaC::ex& divisor) const;
   Polynomial polynomial(const GiNaC::ex& expression) const;
   Polynomial generator(const std::string& name) const;
@@ -51,7 +52,7 @@ class CoqEquation {
   GiNaC::ex lhs_;
   GiNaC::ex rhs_;
   std::map<std::string, GiNaC::symbol> symbols_;  ///< and roots
-  std::vector<PhaseField::Radical> radicals_;     ///< those that occur
+  std::vector<PhaseField::Radical> radicals_;     ///< the radicals that occur
   Divisors divisors_;
 };
 

@@ -9,14 +9,14 @@
 namespace steadyslide::symbolic {
 
 namespace embedded {
-extern const std::string_view algebra_v;  ///< what a file begins with
+extern const std::string_view algebra_v;  ///< the first part of every file
 }
 
 namespace {
 
 constexpr std::size_t line_width = 120;
 
-/// Quotes and asterisks beside parentheses mean something in Coq's comments.
+/// Returns the text as a Coq comment. There, quotes and asterisks next to parentheses have a special meaning.
 std::string comment(std::string text) {
   for (std::size_t k = 0; k < text.size(); ++k) {
     if (text[k] == '"') text[k] = '\'';
@@ -26,7 +26,7 @@ std::string comment(std::string text) {
   return text;
 }
 
-/// Lines of at most 120 characters, broken at spaces; `indent` before those after the first.
+/// Breaks the text at spaces into lines of at most 120 characters; all lines after the first begin with `indent`.
 std::string wrapped(const std::string& text, const std::string& indent) {
   std::string result;
   std::string line;
@@ -76,7 +76,7 @@ CoqLemma lemma_of(const std::string& name, const std::string& words, const CoqEq
           found.remainder.is_zero()};
 }
 
-/// Nothing for Coq to check, because GiNaC has evaluated it while it was put in; empty otherwise.
+/// Returns why there is nothing for Coq to check (GiNaC simplified the equation on input); empty if there is something.
 std::string reason_not_to(const CoqEquation& equation) {
   if (equation.names().empty()) return "both sides are numbers as soon as they are written";
   return equation.lhs() == equation.rhs() ? "both sides are one expression as soon as they are written" : "";

@@ -1,6 +1,7 @@
 #pragma once
-// Polynomials with rational coefficients in generators that are counted 0, 1, 2, ...: sparse, expanded, exact. Equal
-// polynomials have equal terms in one order, in every run. Without GiNaC: a second arithmetic beside it.
+// Polynomials with rational coefficients in generators numbered 0, 1, 2, ...: sparse, expanded, exact. Equal
+// polynomials have equal terms in the same order, in every run. They do not use GiNaC and so check its arithmetic
+// independently.
 
 #include <map>
 #include <string>
@@ -12,7 +13,7 @@ namespace steadyslide::symbolic {
 
 class Polynomial {
  public:
-  /// Of the generators, without zeros at the end.
+  /// The powers of the generators, without trailing zeros.
   using Powers = std::vector<int>;
   using Terms = std::map<Powers, Rational>;
 
@@ -23,7 +24,7 @@ class Polynomial {
   const Terms& terms() const { return terms_; }
   bool is_zero() const { return terms_.empty(); }
   int degree(std::size_t generator) const;
-  /// Of generator^power; it does not contain the generator.
+  /// Returns the coefficient of generator^power, which does not contain the generator.
   Polynomial coefficient(std::size_t generator, int power) const;
 
   Polynomial& operator+=(const Polynomial& other);
@@ -33,7 +34,7 @@ class Polynomial {
   friend Polynomial operator*(const Polynomial& a, const Polynomial& b);
   Polynomial to_the(int power) const;
 
-  /// "[1#2] * x^2 * y - [3]" with the generators' names; "[0]".
+  /// Returns text such as "[1#2] * x^2 * y - [3]" with the names of the generators; "[0]" for zero.
   std::string text(const std::vector<std::string>& names) const;
 
  private:
@@ -41,7 +42,7 @@ class Polynomial {
   Terms terms_;
 };
 
-/// A number as Coq reads it in algebra.v: "[3]", "[-1#2]".
+/// Returns a number in the notation of algebra.v: "[3]", "[-1#2]".
 std::string coq_number(const Rational& value);
 
 }  // namespace steadyslide::symbolic

@@ -1,6 +1,6 @@
 #pragma once
-// halves/2 + sum of times_k alpha_k: an exponent as long as the frictions are symbols, alpha_k = arctan(s_k)/pi in
-// ]-1/2, 1/2[. Exact; without GiNaC.
+// halves/2 + sum of times_k alpha_k: an exponent for frictions that are symbols, alpha_k = arctan(s_k)/pi in ]-1/2,
+// 1/2[. Exact; does not use GiNaC.
 
 #include <map>
 #include <utility>
@@ -17,15 +17,15 @@ class AngleForm {
   AngleForm(int halves, std::map<std::size_t, int> times);
 
   int halves() const { return halves_; }
-  /// Friction index to a factor that is not 0.
+  /// Maps the index of a friction to its factor, which is not 0.
   const std::map<std::size_t, int>& times() const { return times_; }
   bool is_integer() const { return times_.empty() && halves_ % 2 == 0; }
 
-  /// Twice the infimum and twice the supremum over all angles.
+  /// Returns twice the infimum and twice the supremum over all angles.
   std::pair<int, int> twice_bounds() const;
-  /// The same form of other frictions: index k becomes index[k].
+  /// Returns the same form with renumbered frictions: index k becomes index[k].
   AngleForm renamed(const std::vector<std::size_t>& index) const;
-  /// Its value for given frictions s_k.
+  /// Returns its value for given frictions s_k.
   Exponent exponent(const std::vector<Rational>& frictions) const;
 
   AngleForm& operator+=(const AngleForm& other);

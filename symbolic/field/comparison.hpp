@@ -1,6 +1,6 @@
 #pragma once
-// Several equations that are decided together, in one field of phases: an ExactIdentity whose two sides are tuples, or
-// the first equation that does not hold: what follows it is not looked at, and texts are made of nothing else.
+// Several equations that are decided together in one field of phases. The result is an ExactIdentity whose sides are
+// tuples. If an equation does not hold, the result contains only this one, and later equations are ignored.
 
 #include <string>
 #include <vector>
@@ -23,7 +23,7 @@ class Comparison {
  private:
   const PhaseField& field_;
   bool holds_ = true;
-  std::vector<WrittenEquation> equations_;  ///< all, or the one that does not hold
+  std::vector<WrittenEquation> equations_;  ///< all equations, or the one that does not hold
   std::set<std::string> nonvanishing_;
 };
 

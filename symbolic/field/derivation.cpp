@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t width = 100;
 
-/// Words broken into lines of the given width, every line after the first indented.
+/// Breaks words into lines of the given width; all lines after the first are indented.
 std::string wrapped(std::string_view words, std::size_t indent, std::size_t first_column) {
   std::string result;
   std::size_t column = first_column;

@@ -1,6 +1,6 @@
 #pragma once
-// A derivation that a person can read: what was assumed, what was done, what came out, as text and as LaTeX. Made
-// beside the computation that it tells of, from the same expressions. Without GiNaC in this header.
+// A derivation for readers: assumptions, steps and result, as text and as LaTeX. It is written during the computation
+// that it describes, from the same expressions. This header does not include GiNaC.
 
 #include <string>
 #include <utility>
@@ -8,7 +8,7 @@
 
 namespace steadyslide::symbolic {
 
-/// A formula for both kinds of reader; either may be empty. `latex` is for math mode, without dollars.
+/// A formula as text and as LaTeX; either may be empty. `latex` is for math mode, without dollar signs.
 struct Formula {
   std::string text;
   std::string latex;
@@ -22,7 +22,7 @@ struct DerivationStep {
 };
 
 struct Derivation {
-  std::string title;  ///< like words
+  std::string title;  ///< in the format of `words`
   std::vector<DerivationStep> steps;
 
   using Kind = DerivationStep::Kind;
@@ -36,11 +36,11 @@ struct Derivation {
   }
 };
 
-/// Numbered steps, wrapped at 100 columns.
+/// Returns numbered steps, wrapped at 100 columns.
 std::string to_text(const Derivation& derivation);
-/// A section of a LaTeX document: plain LaTeX and amsmath.
+/// Returns a section of a LaTeX document; it needs only LaTeX and amsmath.
 std::string to_latex(const Derivation& derivation);
-/// A complete document that contains them.
+/// Returns a complete document with these derivations.
 std::string latex_document(const std::vector<Derivation>& derivations);
 
 }  // namespace steadyslide::symbolic

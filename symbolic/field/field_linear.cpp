@@ -8,7 +8,8 @@ namespace {
 
 using GiNaC::ex;
 
-/// Powers of numbers, of radicals, of 1 + s^2 and of the symbol pi vanish nowhere, nor does what is known not to.
+/// True if the factor vanishes nowhere: a power of a number, of a radical, of 1 + s^2 or of the symbol pi, or one of
+/// the elements `known` to be without zeros.
 bool vanishes_nowhere(const PhaseField& field, const ex& factor, const FieldRow& known) {
   if (GiNaC::is_a<GiNaC::numeric>(factor)) return true;
   if (GiNaC::is_a<GiNaC::power>(factor)) return vanishes_nowhere(field, factor.op(0), known);
@@ -30,7 +31,7 @@ bool vanishes_nowhere(const PhaseField& field, const ex& factor, const FieldRow&
   return false;
 }
 
-/// The factors of the numerator that can vanish: their products are what a division by the element asks for.
+/// Returns the factors of the numerator that can vanish. The element can be a divisor where none of them does.
 std::vector<ex> vanishing_factors(const PhaseField& field, const ex& element, const FieldRow& known) {
   const ex product = GiNaC::factor(element.numer().expand());
   std::vector<ex> factors;
@@ -46,7 +47,7 @@ std::vector<ex> vanishing_factors(const PhaseField& field, const ex& element, co
   return factors;
 }
 
-/// The factor up to its sign.
+/// Returns the text of the factor, up to its sign.
 std::string condition(const PhaseField& field, const ex& factor) {
   const std::string text = field.text(factor);
   return text[0] == '-' ? field.text(-factor) : text;
@@ -69,9 +70,10 @@ LinearSolution solve(const PhaseField& field, std::size_t unknowns, std::vector<
   for (ex& entry : rhs) entry = field.canonical(entry);
 
   LinearSolution solution{true, FieldRow(unknowns), {}, {}, {}};
-  std::vector<std::size_t> pivots;  // the unknown of each reduced row
+  std::vector<std::size_t> pivots;  // the unknown that each reduced row determines
   for (std::size_t column = 0; column < unknowns; ++column) {
-    // A pivot that vanishes nowhere, if there is one, as the others cost a condition; then the emptiest row.
+    // Prefer a pivot that vanishes nowhere, because any other adds a condition; then prefer the row with the most
+    // zeros.
     std::size_t found = rows.size();
     auto best = std::pair(true, unknowns + 1);
     for (std::size_t row = pivots.size(); row < rows.size(); ++row) {

@@ -15,7 +15,7 @@ std::string latex_name(const std::string& name, const LatexNames& names) {
   return name;
 }
 
-/// A sum of products without parentheses.
+/// Returns the LaTeX of a sum of products without parentheses.
 std::string latex_sum(const std::string& text, const LatexNames& names) {
   std::string result;
   for (std::size_t k = 0; k < text.size();) {
@@ -39,14 +39,14 @@ std::string latex_sum(const std::string& text, const LatexNames& names) {
   return result;
 }
 
-/// A sum of two terms or more, at the level of the text itself.
+/// True if the text is a sum of at least two terms, outside all parentheses.
 bool is_sum(const std::string& text) {
   return text.find(" + ") != std::string::npos || text.find(" - ") != std::string::npos;
 }
 
 struct Fraction {
   std::string above;
-  std::string below;  ///< empty: no fraction
+  std::string below;  ///< the denominator; empty if it is not a fraction
 };
 
 Fraction fraction(const std::string& text) {
@@ -55,7 +55,8 @@ Fraction fraction(const std::string& text) {
   return {text.substr(1, bar - 1), text.substr(bar + 3, text.size() - bar - 4)};
 }
 
-/// Radicals by what they are: "r_s", if it has a LaTeX name, to "sqrt(1+s^2)", and "sqrt7" to "sqrt(7)".
+/// Replaces the names of radicals by their values: "r_s", if it has a LaTeX name, by "sqrt(1+s^2)", and "sqrt7" by
+/// "sqrt(7)".
 std::string readable(const std::string& text, const LatexNames& names) {
   std::string result;
   for (std::size_t k = 0; k < text.size();) {

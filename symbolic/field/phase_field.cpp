@@ -47,7 +47,7 @@ void insert_coprime(std::vector<Integer>& base, const Integer& number) {
   base.push_back(number);
 }
 
-/// A friction as +-symbol or as a number.
+/// A friction: a symbol, minus a symbol, or a number.
 struct Written {
   int sign = 1;
   GiNaC::symbol symbol;
@@ -64,7 +64,7 @@ Written read(const ex& s) {
   outside("a friction is a symbol, minus a symbol, or a rational number");
 }
 
-/// numerator^2 + denominator^2, so that r = sqrt(that)/denominator.
+/// Returns numerator^2 + denominator^2 = (r denominator)^2.
 Integer radicand(const Rational& s) {
   const Integer p = boost::multiprecision::numerator(s);
   const Integer q = boost::multiprecision::denominator(s);
@@ -90,7 +90,7 @@ PhaseField::PhaseField(const std::vector<ex>& frictions) : i_("i") {
     if (written.back().is_number) radicands.push_back(radicand(written.back().number));
   }
 
-  // Square roots of the base: integers where they are, new radicals where they are not.
+  // Square roots of the base: an integer for a perfect square, otherwise a new radical.
   std::vector<std::pair<Integer, ex>> roots;
   for (const Integer& b : coprime_base(radicands)) {
     const Integer root = boost::multiprecision::sqrt(b);
@@ -129,7 +129,7 @@ ex PhaseField::phase(const AngleForm& form, int times) const {
   if (quarter_turns % 2 == 1) result *= i_;
   if (quarter_turns >= 2) result *= -1;
   for (const auto& [k, factor] : form.times()) {
-    // exp(-i pi alpha) = conj(exp(i pi alpha)), so that no divisor but r appears.
+    // exp(-i pi alpha) = conj(exp(i pi alpha)), so r is the only divisor.
     const Friction& f = friction(k);
     const int power = factor * times;
     result *= GiNaC::pow(f.cos + (power < 0 ? -i_ : ex(i_)) * f.sin, std::abs(power));
@@ -137,7 +137,8 @@ ex PhaseField::phase(const AngleForm& form, int times) const {
   return result;
 }
 
-/// The expression with i for GiNaC's complex numbers; refuses what is no rational function of the field's symbols.
+/// Returns the expression with i in place of GiNaC's complex numbers. Throws std::domain_error if it is not a rational
+/// function of the field's symbols.
 ex PhaseField::admitted(const ex& expression) const {
   ImaginaryUnit replace(i_);
   const ex result = replace(expression);
@@ -147,7 +148,7 @@ ex PhaseField::admitted(const ex& expression) const {
   return result;
 }
 
-/// At most first powers of i and of the radicals.
+/// Reduces i and the radicals to their first powers.
 ex PhaseField::reduced(const ex& polynomial) const {
   ex result = polynomial.expand();
   for (const Radical& radical : radicals_) {
@@ -183,7 +184,7 @@ PhaseField::Decision PhaseField::is_identically_zero(const ex& expression) const
     bool always = GiNaC::is_a<GiNaC::numeric>(numerator);
     for (const Radical& radical : radicals_) always = always || numerator.is_equal(radical.root);
     if (always) continue;
-    // Up to a factor, and GiNaC's own choice of its sign changes from run to run.
+    // The text is fixed up to a factor: GiNaC's choice of the sign changes from run to run.
     std::string text = canonical_text(numerator);
     if (text.starts_with('-')) text = canonical_text(-numerator);
     decision.nonvanishing.insert(std::move(text));

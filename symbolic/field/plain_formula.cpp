@@ -52,7 +52,7 @@ class Reader {
     return c == '{' || c == '}' ? std::string("\\") + c : std::string(1, c);
   }
 
-  /// A name with its accent, its place below and its side above.
+  /// Reads a name with its accent, its subscript and its superscript.
   std::string operand() {
     const std::string_view letters = take_while(is_letter);
     std::string result = name(letters);
@@ -73,7 +73,7 @@ class Reader {
     return letters.size() == 1 ? std::string(letters) : "\\mathrm{" + std::string(letters) + "}";
   }
 
-  /// What stands above or below: a side, a sign, a name, a number, or all between braces or parentheses.
+  /// Reads a subscript or superscript: a side, a sign, a name, a number, or all between braces or parentheses.
   std::string script() {
     if (take("{")) return "{" + inside('}') + "}";
     if (take("(")) return "{" + inside(')') + "}";
@@ -93,7 +93,7 @@ class Reader {
   std::string_view text_;
 };
 
-/// Words as LaTeX: the characters that LaTeX would read otherwise.
+/// Returns words as LaTeX, with LaTeX's special characters escaped.
 std::string escaped(std::string_view words) {
   std::string result;
   for (const char c : words) {

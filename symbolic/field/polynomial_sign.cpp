@@ -21,14 +21,14 @@ struct Axis {
   ParameterRange range;
 };
 
-/// What the polynomial becomes on the quarter space of new variables: its numerator, and which of them can be 0.
+/// The polynomial in the new variables, which are positive: its numerator, and the variables that can be 0.
 struct Carried {
   ex numerator;
   std::vector<symbol> variables;
   std::vector<bool> with_zero;
 };
 
-/// An axis that is unbounded on both sides has to be cut first.
+/// The caller must cut an axis that is unbounded on both sides.
 Carried carried(const ex& polynomial, const std::vector<Axis>& axes) {
   Carried result{polynomial, {}, {}};
   for (const Axis& axis : axes) {
@@ -40,8 +40,8 @@ Carried carried(const ex& polynomial, const std::vector<Axis>& axes) {
       continue;
     }
     if (from && to) {
-      // y = 0 at the left end; the right end is y = oo, where the leading coefficient alone would decide: a closed right end
-      // is cut off by the caller.
+      // y = 0 at the left end. The right end is y = oo, where the leading coefficient alone would decide; so the caller
+      // treats a closed right end separately.
       const ex inside = (to_expression(*from) + to_expression(*to) * y) / (1 + y);
       result.numerator = (result.numerator.subs(axis.x == inside) * GiNaC::pow(1 + y, degree)).normal().expand();
     } else {
@@ -73,11 +73,12 @@ Signs signs_of_coefficients(const ex& polynomial, const std::vector<symbol>& var
   return all;
 }
 
-/// Positive on the quarter space, faces included where they belong to it.
+/// True if the coefficients show that the polynomial is positive for all values of the new variables, including 0 where
+/// it is allowed.
 bool positive_by_coefficients(const Carried& carried) {
   const Signs signs = signs_of_coefficients(carried.numerator, carried.variables);
   if (signs.negative || !signs.positive) return false;
-  // On the smallest face that belongs to it a monomial has to be left.
+  // At least one monomial must remain if all variables that can be 0 are 0.
   ex face = carried.numerator;
   std::vector<symbol> left;
   for (std::size_t k = 0; k < carried.variables.size(); ++k) {
@@ -101,7 +102,8 @@ Rational middle(const ParameterRange& range) {
 
 Truth decide(const ex& polynomial, std::vector<Axis> axes, int depth, int& boxes) {
   if (++boxes > most_boxes) return Truth::unknown;
-  // A closed right end of a bounded interval is a face of its own; so is a value of any place on an axis without ends.
+  // Treat as separate faces the closed right end of a bounded interval and one point of an axis that is unbounded on
+  // both sides.
   for (std::size_t k = 0; k < axes.size(); ++k) {
     ParameterRange& range = axes[k].range;
     if (range.from && range.to && *range.from < *range.to && range.with_to) {
@@ -126,14 +128,14 @@ Truth decide(const ex& polynomial, std::vector<Axis> axes, int depth, int& boxes
   }
   const Carried here = carried(polynomial, axes);
   if (positive_by_coefficients(here)) return Truth::yes;
-  // Nowhere positive, or not in the corner that belongs to the box.
+  // The polynomial is nowhere positive, or not positive in the corner that belongs to the box.
   if (!signs_of_coefficients(here.numerator, here.variables).positive) return Truth::no;
   if (std::ranges::all_of(here.with_zero, std::identity())) {
     ex corner = here.numerator;
     for (const symbol& y : here.variables) corner = corner.subs(y == 0).expand();
     if (!GiNaC::ex_to<numeric>(corner).is_positive()) return Truth::no;
   }
-  // Halved is a variable of a negative term, each in its turn.
+  // Halve the interval of a variable in a negative term; take these variables in turn.
   std::vector<std::size_t> open;
   for (std::size_t k = 0, y = 0; k < axes.size(); ++k) {
     const auto& [from, to, with_from, with_to] = axes[k].range;

@@ -22,7 +22,7 @@ ex numerator_of(const ex& expression) { return expression.numer_denom().op(0).ex
 void require_no_zero_divisor(const ex& expression) {
   std::vector<ex> divisors;
   collect_divisors(expression, divisors);
-  // Inner divisors come after the outer ones that contain them.
+  // Inner divisors come after the outer divisors that contain them.
   for (auto divisor = divisors.rbegin(); divisor != divisors.rend(); ++divisor) {
     if (numerator_of(*divisor).is_zero()) throw std::domain_error("rational function: division by zero");
   }
@@ -35,7 +35,7 @@ struct ByDegree {
     return degree_a != degree_b ? degree_a > degree_b : a > b;
   }
 };
-/// Powers of the symbols, in the order of their names, to coefficients.
+/// Maps the powers of the symbols, which are in the order of their names, to coefficients.
 using Terms = std::map<std::vector<int>, Rational, ByDegree>;
 using Symbols = std::map<std::string, GiNaC::symbol>;
 
@@ -95,7 +95,8 @@ std::string text_of(const Terms& terms, const Symbols& symbols, const Rational& 
   return text.empty() ? "0" : text;
 }
 
-/// The factor that makes all coefficients integers without a common divisor, with the first denominator's sign.
+/// Returns the factor that makes all coefficients integers without a common divisor. Its sign is that of the first
+/// coefficient of the denominator.
 Rational common_scale(const Terms& numerator, const Terms& denominator) {
   Integer multiple = 1;
   Integer divisor = 0;
@@ -108,7 +109,7 @@ Rational common_scale(const Terms& numerator, const Terms& denominator) {
   return denominator.begin()->second < 0 ? Rational(-multiple, divisor) : Rational(multiple, divisor);
 }
 
-/// The numerator, up to a factor: GiNaC's own choice of its sign changes from run to run.
+/// Returns the numerator up to a factor, because GiNaC's choice of the sign changes from run to run.
 std::string divisor_text(const ex& divisor) {
   Symbols symbols;
   collect_symbols(divisor, symbols);

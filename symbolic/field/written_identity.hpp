@@ -1,6 +1,6 @@
 #pragma once
-// The equations of an ExactIdentity as they were put in: no normal form has touched them, other than the order and the
-// collecting of equal terms that GiNaC does to every expression it makes.
+// The equations of an ExactIdentity as given, without a normal form. GiNaC has only reordered terms and collected equal
+// ones, which it does for every expression.
 
 #include <ginac/ginac.h>
 
@@ -18,7 +18,7 @@ struct WrittenEquation {
 };
 
 struct WrittenIdentity {
-  std::vector<PhaseField::Radical> radicals;  ///< the field's, i first; none in Q(symbols)
+  std::vector<PhaseField::Radical> radicals;  ///< of the field, i first; empty in Q(symbols)
   std::vector<WrittenEquation> equations;     ///< all of them, or the one that does not hold
 };
 

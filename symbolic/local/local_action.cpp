@@ -11,7 +11,8 @@ using GiNaC::numeric;
 ex factorial(int n) { return GiNaC::factorial(numeric(n)); }
 ex binomial(int n, int k) { return GiNaC::binomial(numeric(n), numeric(k)); }
 
-/// The coefficients of L^0, L^1, ... in the image of L^logs, L = log|x|: on the side of the density and on the other.
+/// The coefficients of L^0, L^1, ... in the image of L^logs, L = log|x|, on the side of the density and on the other
+/// side.
 struct Image {
   std::vector<ex> same;
   std::vector<ex> other;
@@ -78,7 +79,7 @@ LocalDensity act(const LocalDensity& density, const LocalConstants& constants) {
     if (monomial.logs < 0 || monomial.logs > 8) throw std::domain_error("local action: between 0 and 8 logarithms");
     const Image image =
         monomial.fractional ? fractional_image(monomial.logs, constants) : integer_image(monomial.logs, constants.pi);
-    // The mirror image has the other sign; x^n in place of |x|^n takes care of the rest.
+    // The mirror image has the opposite sign. Writing x^n instead of |x|^n accounts for the rest.
     const ex factor = monomial.side == Side::right ? coefficient : -coefficient;
     add_image(result, monomial, monomial.side, image.same, factor);
     add_image(result, monomial, opposite(monomial.side), image.other, factor);
@@ -90,7 +91,7 @@ ex far_part(const LocalMonomial& monomial, const ex& lambda, const ex& x, int te
   const bool right = monomial.side == Side::right;
   const ex power = monomial.fractional ? lambda : ex(0);
   ex sum = 0;
-  // In y = |x| where the density is; the order moves the exponent, so that the series starts at x^0.
+  // In y = |x| on the side of the density. The order is part of the exponent, so the series starts at x^0.
   const ex exponent = power + monomial.order;
   const ex y = right ? x : ex(-x);
   for (int k = 0; k < terms; ++k) {

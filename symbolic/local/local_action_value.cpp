@@ -18,7 +18,7 @@ void require(bool condition, const char* what) {
   if (!condition) throw std::domain_error(std::string("local action: ") + what);
 }
 
-/// Floats that carry their own precision: GiNaC's global number of digits is not touched.
+/// Returns a float with its own precision; GiNaC's global number of digits does not change.
 numeric number(const cln::cl_F& value) { return numeric(cln::cl_N(value)); }
 
 struct Values {
@@ -65,7 +65,7 @@ Decimal local_action_value(const LocalAction& action, const Rational& x, int dig
     const ex whole = GiNaC::pow(to_expression(x), term.order) * GiNaC::pow(values.logarithm, term.logs);
     sum += coefficient * whole * (term.fractional ? ex(values.power) : ex(1));
   }
-  // 4^-terms < 10^-digits; the far part has 1/pi in front and is rational but for it.
+  // 4^-terms < 10^-digits. The far part is 1/pi times a rational number.
   const int terms = 2 * (digits + cln_guard_digits);
   const ex far = far_part(monomial, to_expression(action.lambda), to_expression(x), terms);
   sum += far.subs(GiNaC::Pi == values.constants.pi);

@@ -1,6 +1,6 @@
 #pragma once
-// The local action of the operator as numbers: what the symbols of local_action.hpp say of one density, cut off at
-// |x| = 1, their far part included. Without GiNaC in this header. Not thread-safe, as GiNaC is not.
+// Numbers for the local action of the operator: the formulas of local_action.hpp for one density that is cut off at
+// |x| = 1, with the far part. This header does not include GiNaC. Not thread-safe, because GiNaC is not.
 
 #include <optional>
 
@@ -18,10 +18,11 @@ struct LocalAction {
   Rational lambda;
 };
 
-/// One wrong symbol: the variants a check has to refute.
+/// A wrong variant of one formula, which a check must refute.
 enum class WrongSymbol { cotangent_sign, cosecant_sign, sides_exchanged, pi_missing };
 
-/// H of it at 0 < |x| <= 1/4. Throws std::domain_error elsewhere, for lambda <= -1 or an integer, and digits < 1.
+/// Returns H of the density at x, 0 < |x| <= 1/4. Throws std::domain_error for any other x, if lambda <= -1, if lambda
+/// is an integer, or if digits < 1.
 Decimal local_action_value(const LocalAction& action, const Rational& x, int digits,
                            std::optional<WrongSymbol> wrong = std::nullopt);
 

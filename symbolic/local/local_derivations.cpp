@@ -9,7 +9,7 @@
 namespace steadyslide::symbolic {
 namespace {
 
-/// The first three Taylor coefficients of psi_bar' at x.
+/// Returns the first three Taylor coefficients of psi_bar' at x.
 std::vector<GiNaC::ex> slopes_at(const ContactProblem& problem, const Rational& x, Side side) {
   Polynomial derivative = problem.indenter().profile(x, side).derivative();
   std::vector<GiNaC::ex> slopes;
@@ -22,7 +22,7 @@ std::vector<GiNaC::ex> slopes_at(const ContactProblem& problem, const Rational& 
   return slopes;
 }
 
-/// +-gamma f, with the sign of the direction of sliding.
+/// Returns +-gamma f, with the sign of the direction of sliding.
 GiNaC::ex coupled(const ContactProblem& problem, const Rational& friction) {
   const Rational s = problem.elasticity().gamma() * friction;
   return to_expression(problem.sliding() == Sliding::plus_x ? s : Rational(-s));
@@ -32,7 +32,7 @@ LocalPlace place_of(const ContactProblem& problem, const SingularPoint& point) {
   const GiNaC::ex left = coupled(problem, point.friction.front());
   const GiNaC::ex right = coupled(problem, point.friction.back());
   LocalPlace place{point.contact, {left}, {right}};
-  // A free end that can lie anywhere: the slope is continuous there.
+  // The slope is continuous at a free end that can lie anywhere.
   if (point.x) {
     place.left.slopes = slopes_at(problem, *point.x, Side::left);
     place.right.slopes = slopes_at(problem, *point.x, Side::right);

@@ -1,6 +1,6 @@
 #pragma once
-// The local forms of one problem, as derivations to read: one for every place where the traction can be singular.
-// Without GiNaC in this header. Not thread-safe, as GiNaC is not.
+// The local forms of one problem as derivations for readers, one for each place where the traction can be singular.
+// This header does not include GiNaC. Not thread-safe, because GiNaC is not.
 
 #include <vector>
 
@@ -9,8 +9,8 @@
 
 namespace steadyslide::symbolic {
 
-/// One derivation for each of possible_singular_points(problem), in that order, with the problem's s and the reduced
-/// slopes psi_bar' at the place (to the second derivative of psi_bar').
+/// Returns one derivation for each of possible_singular_points(problem), in that order, with the problem's s and the
+/// reduced slope psi_bar' at the place, up to its second derivative.
 std::vector<Derivation> local_derivations(const ContactProblem& problem);
 
 }  // namespace steadyslide::symbolic

@@ -18,7 +18,7 @@ struct System {
   FieldRow rhs;
 };
 
-/// The local equations of a density that is linear in the unknowns.
+/// Returns the local equations of a density that is linear in the unknowns.
 System system_of(const LocalPlace& place, const LocalConstants& constants, const LocalDensity& density,
                  const std::vector<symbol>& unknowns) {
   GiNaC::exmap zero;
@@ -34,12 +34,12 @@ System system_of(const LocalPlace& place, const LocalConstants& constants, const
   return system;
 }
 
-/// Two formulas of a display, one below the other.
+/// Returns two formulas, one below the other.
 std::string gathered(const std::string& first, const std::string& second) {
   return "\\begin{gathered} " + first + " \\\\ " + second + " \\end{gathered}";
 }
 
-/// The same place with one order of the slopes, whose jump is D.
+/// Returns the same place with one order of the slopes, whose jump is D.
 LocalPlace with_jump(const LocalPlace& place, const ex& jump) {
   LocalPlace result = place;
   result.left.slopes = {0};
@@ -101,7 +101,8 @@ class Solver {
     form_.nonvanishing.insert(nonvanishing.begin(), nonvanishing.end());
   }
 
-  /// The determinant with C = cot(pi lambda) free, and the C where it vanishes; absent if it vanishes nowhere.
+  /// Returns the zero C of the determinant, where C = cot(pi lambda) is free; absent if the determinant vanishes
+  /// nowhere.
   std::optional<ex> characteristic() {
     const symbol cotangent("C");
     const symbol cosecant("S");
@@ -147,12 +148,12 @@ class Solver {
     return root;
   }
 
-  /// The power with this cotangent in ]-1, 0[: the lowest one that is integrable.
+  /// Returns the power in ]-1, 0[ with this cotangent, which is the lowest integrable one.
   AngleForm lowest_integrable(const ex& cotangent) {
     const PhaseField& field = frame_.field();
     const ex squared = field.canonical((cotangent + field.i()) / (cotangent - field.i()));
     std::vector<AngleForm> candidates;
-    // Where numbers make two of them equal, the first one is the name that holds for all frictions.
+    // If numbers make two candidates equal, the first one is correct for all frictions.
     for (const int halves : both() ? std::vector{0, 1} : std::vector{1, 0}) {
       for (const int sign : {1, -1}) {
         const int left = form_.place.in_contact(Side::left) ? sign : 0;
@@ -178,7 +179,7 @@ class Solver {
     return lambda;
   }
 
-  /// The amplitudes of x^n |x|^lambda on the sides in contact, of norm cos(pi alpha) on the right.
+  /// Returns the amplitudes of x^n |x|^lambda on the sides in contact, normalised to cos(pi alpha) on the right.
   FieldRow amplitudes(const AngleForm& lambda) {
     const std::vector<symbol> all = unknowns("A");
     LocalDensity density;
@@ -237,7 +238,7 @@ class Solver {
     if (!both()) add_outside(form_, frame_);
   }
 
-  /// x^n, x^n log|x|, x^n log^2|x|, with the jump D of the slope's coefficient at x^n.
+  /// Adds the terms x^n, x^n log|x|, x^n log^2|x|, with the jump D of the slope's coefficient at x^n.
   void integers() {
     const symbol jump("D");
     std::vector<symbol> all;
@@ -304,7 +305,7 @@ class Solver {
     }
   }
 
-  /// The largest near the point first. lambda lies in ]-1, 0[ or in ]0, 1[.
+  /// Orders the terms, the largest near the point first. lambda lies in ]-1, 0[ or in ]0, 1[.
   void order_terms() {
     const int fraction = form_.exponent ? 2 * *frame_.floor(*form_.exponent, form_.place.friction_increases) + 1 : 0;
     const auto rank = [&](const LocalFormTerm& term) {

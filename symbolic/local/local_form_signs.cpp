@@ -10,7 +10,7 @@ using Sign = LocalCondition::Sign;
 
 Side contact_side(const LocalForm& form) { return form.place.contact == ContactSide::left ? Side::left : Side::right; }
 
-/// u_bar' ~ coefficient d^lambda where t = -theta d^lambda.
+/// Returns the coefficient in u_bar' ~ coefficient d^lambda for t = -theta d^lambda.
 ex outside_coefficient(const LocalForm& form, const LocalFrame& frame, const AngleForm& lambda) {
   const Side contact = contact_side(form);
   const LocalDensity image = act({{{contact, true, 0, 0}, -form.theta}}, frame.constants(lambda));
@@ -39,7 +39,7 @@ void add(LocalForm& form, const std::string& words, const ex& expression, Sign s
 
 const Formula theta{"theta", "\\theta"};
 
-/// psi_bar'(c+) - psi_bar'(c-) at the order n.
+/// Returns psi_bar'(c+) - psi_bar'(c-) at the order n.
 ex slope_jump(const LocalForm& form, std::size_t n) { return form.place.right.slopes[n] - form.place.left.slopes[n]; }
 
 Formula slope_jump_text(const LocalForm& form, const LocalFrame& frame, std::size_t n) {
@@ -231,7 +231,7 @@ Formula term_text(const LocalForm& form, const LocalFrame& frame, const LocalFor
 
 Formula form_text(const LocalForm& form) {
   Formula total;
-  std::string lines;  // LaTeX breaks no displayed line by itself
+  std::string lines;  // LaTeX does not break displayed lines itself
   std::size_t count = 0;
   for (const LocalFormTerm& term : form.terms) {
     total = sum(total, term.text);

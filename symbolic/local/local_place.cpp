@@ -13,7 +13,7 @@ using GiNaC::ex;
 bool is_number(const ex& s) { return GiNaC::is_a<GiNaC::numeric>(s); }
 Rational number(const ex& s) { return to_rational(GiNaC::ex_to<GiNaC::numeric>(s)); }
 
-/// alpha = arctan(s)/pi, with the sign of "minus a symbol" outside.
+/// Returns the text of alpha = arctan(s)/pi. If s is minus a symbol, the sign stands in front of alpha.
 Formula angle_text(const ex& s) {
   if (is_number(s)) {
     const Rational slope = number(s);
@@ -101,7 +101,7 @@ std::optional<int> LocalFrame::floor(const AngleForm& lambda, std::optional<bool
     while ((*number - Exponent(below + 1)).sign() >= 0) ++below;
     return below;
   }
-  // -1/2 < alpha < 1/2, and alpha_left - alpha_right lies between -1 and 1, on the side that its sign says.
+  // -1/2 < alpha < 1/2. alpha_left - alpha_right lies in ]-1, 0[ or ]0, 1[, depending on its sign.
   const int halves = lambda.halves();
   const AngleForm angles = lambda - AngleForm(halves);
   if (angles.twice_bounds().second == 1 && halves % 2 != 0) return (halves - 1) / 2;
@@ -149,7 +149,7 @@ std::vector<LocalEquation> local_equations(const LocalPlace& place, const LocalC
   for (const auto& [monomial, coefficient] : left) {
     if (!place.in_contact(monomial.side) || (!monomial.fractional && monomial.logs == 0)) continue;
     if (both && !monomial.fractional && monomial.side == Side::left) {
-      // With the right side's coefficient the jump says the same, and solves with fewer conditions.
+      // Given the right side's coefficient, the jump is an equivalent equation that needs fewer conditions.
       equations.push_back({jump_name(monomial), jump_at(monomial), 0});
       continue;
     }

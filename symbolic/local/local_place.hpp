@@ -1,10 +1,10 @@
 #pragma once
-// A point c of the surface as its neighbourhood sees it, and the equation there. x is measured from c:
+// The neighbourhood of a point c of the surface, and the equation there. x is measured from c:
 //
 //   H t + s t = psi_bar'   on the sides in contact, up to one power series in x, the same on both sides:
 //
-// what the rest of the contact does to the neighbourhood of c is analytic there. Away from contact t = 0 and the slope
-// of the surface is u_bar' = H t.
+// the rest of the contact contributes a function that is analytic near c. Away from contact t = 0, and the slope of the
+// surface is u_bar' = H t.
 
 #include <ginac/ginac.h>
 
@@ -27,24 +27,24 @@ struct LocalSide {
   std::vector<GiNaC::ex> slopes = {0, 0, 0};
 };
 
-/// What the indenter does beyond an end of contact: it ends too (an edge), goes on, or steps away from the body.
+/// The indenter beyond an end of contact: it ends too (an edge), continues, or steps away from the body.
 enum class Beyond { nothing, indenter, step };
 
 struct LocalPlace {
   ContactSide contact;
   LocalSide left;
   LocalSide right;
-  Beyond beyond = Beyond::indenter;  ///< of no meaning where there is contact on both sides
-  /// Where the frictions are symbols: is s larger on the right? Numbers know it themselves.
+  Beyond beyond = Beyond::indenter;  ///< ignored if there is contact on both sides
+  /// For frictions that are symbols: true if s is larger on the right. Not used for numbers.
   std::optional<bool> friction_increases = std::nullopt;
 
   bool in_contact(Side side) const;
 };
 
-/// halves/2 + left alpha_left + right alpha_right: friction 0 is that of the left side, 1 that of the right.
+/// Returns halves/2 + left alpha_left + right alpha_right. Friction 0 is on the left side, friction 1 on the right.
 inline AngleForm local_exponent(int halves, int left, int right) { return {halves, {{0, left}, {1, right}}}; }
 
-/// The field in which a place is decided, and its names for readers.
+/// The field in which statements on a place are decided, and its names for readers.
 class LocalFrame {
  public:
   /// Throws std::domain_error unless each friction is a symbol, minus a symbol or a rational number.
@@ -52,19 +52,20 @@ class LocalFrame {
 
   const PhaseField& field() const { return field_; }
   const PhaseField::Friction& friction(Side side) const { return field_.friction(side == Side::left ? 0 : 1); }
-  /// pi, transcendental over everything else here: a symbol.
+  /// pi, as a symbol, because it is transcendental over the other elements.
   const GiNaC::symbol& pi() const { return pi_; }
-  /// Are both frictions one?
+  /// True if both frictions are equal.
   bool one_friction() const;
 
-  /// cot(pi lambda) and 1/sin(pi lambda) by e^{i pi lambda}. Throws std::domain_error for an integer lambda.
+  /// Returns cot(pi lambda) and 1/sin(pi lambda), computed from e^{i pi lambda}. Throws std::domain_error if lambda is
+  /// an integer.
   LocalConstants constants(const AngleForm& lambda) const;
-  /// The same in e^{i pi lambda} as written, no normal form taken.
+  /// Returns the same in terms of e^{i pi lambda}, without a normal form.
   LocalConstants written_constants(const AngleForm& lambda) const;
 
-  /// Absent where a friction that counts is no number.
+  /// Returns lambda as a number; absent if it depends on a friction that is a symbol.
   std::optional<Exponent> exact(const AngleForm& lambda) const;
-  /// The integer below lambda for every friction allowed; absent where it depends on them.
+  /// Returns the integer part of lambda if it is the same for all admissible frictions; otherwise absent.
   std::optional<int> floor(const AngleForm& lambda, std::optional<bool> friction_increases) const;
 
   Formula text(const AngleForm& lambda) const;
@@ -79,16 +80,16 @@ class LocalFrame {
   LatexNames names_;
 };
 
-/// One coefficient of the local equation of a density: holds where lhs = rhs.
+/// One coefficient of the local equation of a density. The equation holds if lhs = rhs.
 struct LocalEquation {
   Formula where;
   GiNaC::ex lhs;
   GiNaC::ex rhs;
 };
 
-/// On each side in contact the coefficients of H t + s t at powers that are not analytic are zero; the coefficient of
-/// x^n may be anything, but where both sides are in contact the right one less the left one is that of psi_bar'. Orders
-/// beyond the slopes given are left out.
+/// Returns the local equations. On each side in contact, the coefficients of H t + s t at powers that are not analytic
+/// must be zero. The coefficient of x^n is arbitrary; if both sides are in contact, the right one minus the left one
+/// must equal the jump of the coefficient of psi_bar'. Orders beyond the given slopes are left out.
 std::vector<LocalEquation> local_equations(const LocalPlace& place, const LocalConstants& constants,
                                            const LocalDensity& density);
 

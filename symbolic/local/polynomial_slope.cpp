@@ -30,7 +30,7 @@ std::vector<ex> power_sums(const std::vector<ex>& powers, const std::vector<ex>&
 std::vector<ex> power_sum_symbols(std::size_t count) { return symbols("sigma", count, 1); }
 
 std::vector<ex> series_at_infinity(const std::vector<ex>& sums, int sign, std::size_t count) {
-  // E' = sign * (sum sigma_k u^(k-1)) E
+  // Uses E' = sign * (sum sigma_k u^(k-1)) E.
   std::vector<ex> series{1};
   for (std::size_t n = 1; n <= count; ++n) {
     ex sum = 0;

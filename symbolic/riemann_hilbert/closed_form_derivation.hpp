@@ -1,5 +1,6 @@
 #pragma once
-// Derivations of the closed forms, for a reader. Without GiNaC in this header. Not thread-safe, as GiNaC is not.
+// Derivations of the closed forms, for readers. This header does not include GiNaC. Not thread-safe, because GiNaC is
+// not.
 
 #include <vector>
 
@@ -19,13 +20,14 @@ enum class ClosedFormKind {
   quartic
 };
 
-/// With symbols for frictions, jumps, ends, load and profile. Every step that is a decision is decided on the way.
+/// Returns the derivation with symbols for frictions, jumps, ends, load and profile. Steps that are statements are
+/// decided exactly during the derivation.
 Derivation closed_form_derivation(ClosedFormKind kind, int jumps);
-/// The flat punch with `jumps` jumps.
+/// Returns the derivation for the flat punch with `jumps` jumps.
 Derivation closed_form_derivation(int jumps);
 
-/// The problem's own closed forms, with its numbers: one for each contact that satisfies its equations. Throws
-/// std::domain_error where the profile is none of the above (derived_contact.hpp).
+/// Returns the closed forms of the problem with its numbers, one for each contact that satisfies the equations. Throws
+/// std::domain_error if the profile is none of the above (derived_contact.hpp).
 std::vector<Derivation> riemann_hilbert_derivations(const ContactProblem& problem);
 
 }  // namespace steadyslide::symbolic

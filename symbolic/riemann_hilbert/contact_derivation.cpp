@@ -179,7 +179,7 @@ class ContactDeriver {
     }
   }
 
-  /// F = P/(pi z) + O(1/z^2) where the conditions hold.
+  /// Checks F = P/(pi z) + O(1/z^2) under the conditions.
   void check(const PolynomialSlope& solution, const std::vector<ex>& sums) const {
     const int order = solution.order();
     const std::vector<ex> series = series_at_infinity(sums, -1, sums.size());
@@ -203,7 +203,7 @@ class ContactDeriver {
       modulus.text += " |x - e_" + number(j) + "|^(" + p.text + ")";
       modulus.latex += "\\,|x-e_{" + number(j) + "}|^{" + p.latex + "}";
     }
-    // A factor of several terms is named, and stands above.
+    // A factor with several terms gets a name and its own line above.
     const bool is_sum = factor_.text.find(' ') != std::string::npos;
     const Formula factor = is_sum ? Formula{"N", "N"} : factor_;
     const bool minus = factor.text[0] == '-';

@@ -1,6 +1,6 @@
 #pragma once
-// The steps from A t = psi' to t = epsilon cos(pi alpha) |Y| N on one contact, told with the expressions that the
-// computation uses; each step that is a decision is decided while it is told.
+// The steps from A t = psi' to t = epsilon cos(pi alpha) |Y| N on one contact, written with the expressions of the
+// computation. Steps that are statements are decided exactly while they are written.
 
 #include "symbolic/field/derivation.hpp"
 #include "symbolic/field/formula_text.hpp"
@@ -13,13 +13,13 @@ struct DerivationInput {
   std::string title;
   FundamentalSolution solution;      ///< one component
   std::vector<GiNaC::ex> frictions;  ///< symbols or rational numbers
-  std::vector<Formula> places;       ///< of the ends and jumps, as a reader is to see them
+  std::vector<Formula> places;       ///< of the ends and jumps, as text for readers
   std::vector<GiNaC::ex> slope;      ///< psi', by coefficients of 1, x, ...
   GiNaC::ex load_over_pi;
   LatexNames names = {};  ///< more symbols in slope and load
 };
 
-/// Throws std::domain_error where the contact and psi' admit no traction (N = 0).
+/// Returns the derivation. Throws std::domain_error if the contact and psi' admit no traction (N = 0).
 Derivation derive(const DerivationInput& input);
 
 }  // namespace steadyslide::symbolic

@@ -23,7 +23,7 @@ struct ContactProfile {
 
 namespace {
 
-/// A polynomial in symbols with values.
+/// Returns the value of a polynomial for given values of its symbols.
 cl_F evaluate(const ex& e, const SymbolValues& values, cln::float_format_t format) {
   if (GiNaC::is_a<GiNaC::numeric>(e)) return to_cln(to_rational(GiNaC::ex_to<GiNaC::numeric>(e)), format);
   if (GiNaC::is_a<GiNaC::symbol>(e)) return values.at(e);
@@ -70,7 +70,7 @@ struct DerivedContact::State : ClnContact {
 
 namespace {
 
-/// Newton's method for as many polynomial conditions as unknowns, one or two, down to the digits carried.
+/// Newton's method for one or two polynomial conditions and the same number of unknowns, to full working precision.
 bool newton(const std::vector<ex>& conditions, const std::vector<ex>& unknowns, SymbolValues& values, const cl_F& tiny,
             cln::float_format_t format, int limit) {
   const auto at = [&](const ex& e) { return evaluate(e, values, format); };
@@ -106,7 +106,8 @@ bool newton(const std::vector<ex>& conditions, const std::vector<ex>& unknowns, 
 
 }  // namespace
 
-/// Free ends and N, with the sign of epsilon; false where the conditions have no solution, or N = 0.
+/// Computes the free ends and N, with the sign of epsilon. Returns false if the conditions have no solution, or if
+/// N = 0.
 bool DerivedContact::State::solve() {
   const std::vector<ex> p = symbols("p", places.size());
   const std::vector<ex> e = symbols("e", places.size());
@@ -120,7 +121,7 @@ bool DerivedContact::State::solve() {
 
   SymbolValues values;
   values[load] = number(problem.load()) / cln::pi(format);
-  // Wider than the contact can be: from there Newton's method comes down monotonically.
+  // A width that the contact cannot exceed. From there Newton's method decreases monotonically.
   cl_F farthest = number(Rational(problem.indenter().right() - problem.indenter().left()));
   if (slope.size() == 2) farthest = farthest + cln::sqrt(2 * values.at(load) / number(slope[1]));
   for (const Place& place : places) {
@@ -156,7 +157,7 @@ bool DerivedContact::State::solve() {
 bool DerivedContact::State::fits() const {
   const cl_F left = length(places.front());
   const cl_F right = length(places.back());
-  // epsilon N <= 0 on the contact: N is linear, or convex with epsilon = 1, so that the ends decide.
+  // Check epsilon N <= 0 on the contact. N is linear, or convex with epsilon = 1, so the values at the ends decide.
   return left < right && free_ends_fit() && !cln::plusp(factor_at(left)) && !cln::plusp(factor_at(right));
 }
 

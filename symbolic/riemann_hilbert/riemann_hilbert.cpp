@@ -65,7 +65,7 @@ void compare_crossing(Comparison& comparison, const PhaseField& field, PointKind
 }
 
 AngleForm derived_exponent(PointKind kind) {
-  // Derived once; the forms hold no GiNaC objects.
+  // Computed once. The forms contain no GiNaC objects.
   static std::map<PointKind, AngleForm> known;
   const auto place = known.find(kind);
   return place != known.end() ? place->second : known.emplace(kind, solve_exponent(kind)).first->second;

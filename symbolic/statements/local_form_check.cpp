@@ -32,7 +32,7 @@ std::vector<LocalEquation> equations_of(const LocalCandidate& candidate, Constan
   return equations;
 }
 
-/// A polynomial's text up to its sign: which of the two GiNaC writes changes from run to run.
+/// Returns the text of a polynomial up to its sign, because GiNaC's choice of the sign changes from run to run.
 std::string up_to_sign(const std::string& text) {
   if (text[0] != '-') return text;
   std::string result = text.substr(1);

@@ -1,6 +1,6 @@
 #pragma once
-// A local form that someone claims, put into the local equation: does it satisfy it? The same procedure confirms the
-// right form and refutes wrong ones. For sources of this layer, proofs_checks and tests only.
+// Decides if a given local form satisfies the local equation. The same procedure confirms the correct form and refutes
+// wrong ones. For sources of this layer, proofs_checks and tests only.
 
 #include <ginac/ginac.h>
 
@@ -12,16 +12,16 @@
 
 namespace steadyslide::symbolic {
 
-/// t = density with |x|^lambda, and, at an end, the slope u_bar' = outside d^lambda that it is said to leave beyond.
+/// The candidate: t = density with |x|^lambda and, at an end, the slope u_bar' = outside d^lambda beyond it.
 struct LocalCandidate {
   LocalPlace place;
-  LocalFrame frame;  ///< of the same place: its radicals are those of the density
+  LocalFrame frame;  ///< of the same place; the density uses its radicals
   std::optional<AngleForm> exponent;
   LocalDensity density;
   std::optional<GiNaC::ex> outside = std::nullopt;
 };
 
-/// Contact on one side alone, under a friction jump: what an end is said to look like.
+/// Makes candidates for an end: contact on one side only, at a friction jump.
 class LocalEnd {
  public:
   explicit LocalEnd(Side contact, const GiNaC::ex& left = GiNaC::symbol("s_l"),
@@ -30,7 +30,7 @@ class LocalEnd {
         place_{contact == Side::right ? ContactSide::right : ContactSide::left, {left}, {right}},
         frame_(place_) {}
 
-  /// t = -theta d^lambda, and the slope outside * theta d^lambda beyond, where one is given.
+  /// Returns t = -theta d^lambda, and the slope outside * theta d^lambda beyond the end if `outside` is given.
   LocalCandidate candidate(const AngleForm& lambda, std::optional<GiNaC::ex> outside = std::nullopt) const {
     if (outside) *outside *= theta_;
     return {place_, frame_, lambda, {{{contact_, true, 0, 0}, -theta_}}, outside};
@@ -46,11 +46,11 @@ class LocalEnd {
   LocalFrame frame_;
 };
 
-/// All coefficients of the local equation and of the slope outside, lhs as computed from the density, rhs as the data
-/// or the candidate have it, in canonical text and in one order. Throws std::domain_error where lambda is an integer.
+/// Returns all coefficients of the local equation and of the slope outside, as canonical text in a fixed order: lhs
+/// computed from the density, rhs from the data or the candidate. Throws std::domain_error if lambda is an integer.
 ExactIdentity verify_local_form(const std::string& statement, const LocalCandidate& candidate);
 
-/// The first coefficient that is wrong: "x > 0: s_l - s_r in place of 0"; empty if the form holds.
+/// Returns the first wrong coefficient, such as "x > 0: s_l - s_r in place of 0"; empty if the form holds.
 std::string first_mismatch(const LocalCandidate& candidate);
 
 }  // namespace steadyslide::symbolic

@@ -10,7 +10,7 @@ namespace {
 using GiNaC::ex;
 using GiNaC::symbol;
 
-/// Contact on both sides of a friction jump, the slopes differing by D.
+/// Contact on both sides of a friction jump; the slopes differ by D.
 class Jump {
  public:
   explicit Jump(const ex& slope_jump)
@@ -20,7 +20,7 @@ class Jump {
   ex difference() const { return s_r_ - s_l_; }
   ex total() const { return s_r_ + s_l_; }
 
-  /// t = left |x|^lambda for x < 0, right |x|^lambda for x > 0, times x^order, plus the density given.
+  /// Decides t = x^order times left |x|^lambda for x < 0 and right |x|^lambda for x > 0, plus the given density.
   ExactIdentity decide(const std::string& statement, const AngleForm& lambda, const ex& left, const ex& right,
                        int order = 0, LocalDensity more = {}) const {
     more += {{{Side::left, true, order, 0}, -theta_ * left}, {{Side::right, true, order, 0}, -theta_ * right}};
@@ -86,7 +86,7 @@ class Wedge {
   explicit Wedge(const std::vector<ex>& slope_jumps)
       : place_{ContactSide::both, {s_, {0, 0, 0}}, {s_, slope_jumps}}, frame_(place_) {}
 
-  /// t = sum of x^n D_n (logarithm log|x| + left H(-x) + right H(x)).
+  /// Decides t = sum of x^n D_n (logarithm log|x| + left H(-x) + right H(x)).
   ExactIdentity decide(const std::string& statement, const ex& logarithm, const ex& left, const ex& right) const {
     LocalDensity density;
     for (int n = 0; n < 3; ++n) {
@@ -121,7 +121,7 @@ class Wedge {
   LocalFrame frame_;
 };
 
-/// The power and the slope at an end of contact; the friction beyond must not count.
+/// The power and the slope at an end of contact. The friction beyond the end must have no influence.
 DecidedStatement end_statement(const std::string& id, const LocalEnd& end, bool free) {
   const Side contact = end.contact();
   const bool right = contact == Side::right;

@@ -13,7 +13,7 @@ using GiNaC::symbol;
 
 std::string outcome(const std::string& mismatch) { return mismatch.empty() ? "holds" : "leaves " + mismatch; }
 
-/// Both candidates in the local equation.
+/// Compares both candidates by the local equation.
 LocalReading compared(std::string id, const LocalCandidate& printed, const LocalCandidate& derived) {
   const std::string p = first_mismatch(printed);
   const std::string d = first_mismatch(derived);
@@ -36,7 +36,7 @@ void add_ends(std::vector<LocalReading>& readings) {
   compare("theorem-3-free-front", front, local_exponent(1, 0, 1), local_exponent(1, 1, 0));
   readings.push_back(
       compared("theorem-3-slope-factor-front", front.candidate(edge, front.r(Side::right)), with_its_slope));
-  // The slope on the contact side is H t + s t there, and that has no such power.
+  // The slope on the contact side is H t + s t, which does not contain this power.
   const ex inside = local_equations(with_its_slope.place, front.frame().constants(edge), with_its_slope.density)[0].lhs;
   readings.push_back({"thm-03-front-limit",
                       "On the left of `c` there is contact and `u_bar' = psi_bar'` is bounded: the coefficient of the "
@@ -50,7 +50,7 @@ void add_ends(std::vector<LocalReading>& readings) {
   }
 }
 
-/// Do the signs admit contact on both sides? Decided for numbers.
+/// True if the signs admit contact on both sides. The arguments are numbers.
 bool admitted(const ex& left, const ex& right, const ex& slope_jump) {
   const LocalForm form = derive_local_form({ContactSide::both, {left, {0, 0, 0}}, {right, {slope_jump, 0, 0}}});
   return std::ranges::none_of(form.conditions, [](const LocalCondition& c) { return c.holds == Truth::no; });

@@ -18,7 +18,7 @@ ex integral(const ex& polynomial, const GiNaC::symbol& x, const ex& from, const 
 
 namespace {
 
-/// The n-th member of first, second, 2x second - first, ...
+/// Returns the n-th member of first, second, 2x second - first, ...
 ex recurrence(ex first, ex second, int n, const ex& x) {
   for (int k = 0; k < n; ++k) {
     const ex next = (2 * x * second - first).expand();

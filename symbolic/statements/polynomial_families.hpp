@@ -7,10 +7,10 @@
 
 namespace steadyslide::symbolic {
 
-/// Of a polynomial in x; 0 at x = 0.
+/// Returns the antiderivative of a polynomial in x that is 0 at x = 0.
 GiNaC::ex antiderivative(const GiNaC::ex& polynomial, const GiNaC::symbol& x);
 GiNaC::ex integral(const GiNaC::ex& polynomial, const GiNaC::symbol& x, const GiNaC::ex& from, const GiNaC::ex& to);
-/// T_n and, for n >= -1, U_n (U_{-1} = 0), by their recurrence.
+/// Return T_n and, for n >= -1, U_n (U_{-1} = 0), by their recurrence.
 GiNaC::ex chebyshev_t(int n, const GiNaC::ex& x);
 GiNaC::ex chebyshev_u(int n, const GiNaC::ex& x);
 

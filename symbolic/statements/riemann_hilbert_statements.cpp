@@ -69,8 +69,9 @@ void add_exponents(std::vector<DecidedStatement>& all) {
 //
 //   W = -(-z)^lambda/sin(pi lambda),   W+- = -x^lambda e^{-+ i pi lambda}/sin(pi lambda) for x > 0,
 //
-// has (W+ - W-)/(2i) = x^lambda, so that (1/pi) int_0^1 x'^lambda/(x'-z) dx' - W is one function next to 0; derivatives
-// in lambda give logarithms, and polynomials in log(-z) the integer powers. A density on x < 0 has -W(-z).
+// has (W+ - W-)/(2i) = x^lambda, so (1/pi) int_0^1 x'^lambda/(x'-z) dx' - W is analytic at 0. Derivatives with respect
+// to lambda give the logarithms, and polynomials in log(-z) give the integer powers. For a density on x < 0, W is
+// -W(-z).
 
 constexpr int most_logs = 2;
 
@@ -84,15 +85,16 @@ struct ActionNames {
   ex sine = (phase - 1 / phase) / (2 * i);
   LocalConstants constants{i * (phase * phase + 1) / (phase * phase - 1), 1 / sine, pi};
 
-  /// d/dlambda
+  /// Returns df/dlambda.
   ex derived(const ex& f) const { return f.diff(phase) * i * pi * phase + f.diff(power) * power * logarithm; }
-  /// W, or its derivatives, on a bank: +1 above, -1 below x > 0, and 0 on x < 0.
+  /// Returns W or its derivatives. `bank` is +1 above x > 0, -1 below x > 0, and 0 on x < 0.
   ex fractional(int logs, int bank) const {
     ex w = -power * GiNaC::pow(phase, -bank) / sine;
     for (int k = 0; k < logs; ++k) w = derived(w);
     return w;
   }
-  /// The same for lambda = 0: a polynomial P with P(l - i pi) - P(l + i pi) = 2i l^logs, its constant that of finite parts.
+  /// Returns the same for lambda = 0: a polynomial P with P(l - i pi) - P(l + i pi) = 2i l^logs. Its constant is that
+  /// of finite parts.
   ex integer(int logs, int bank) const {
     const ex l = logarithm - bank * i * pi;
     if (logs == 0) return -l / pi;
@@ -132,7 +134,7 @@ DecidedStatement local_action() {
           const LocalDensity h = act(density, constants);
           const std::string name = std::string(side == Side::right ? "x > 0, " : "x < 0, ") +
                                    (fractional ? "power, " : "integer, ") + std::to_string(logs) + " logarithms: ";
-          // The banks of -z are exchanged: -W(-z) has the limits -W-+ at z.
+          // The banks of -z are exchanged, so -W(-z) has the limits -W-+ at z.
           const ex above = mirror * w(mirror * upper);
           const ex below = mirror * w(-mirror * upper);
           comparison.equal(name + "t", (above - below) / (2 * names.i), value(density, side))

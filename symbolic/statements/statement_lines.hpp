@@ -10,7 +10,7 @@
 
 namespace steadyslide::symbolic {
 
-/// A text that cannot be read, without its place: "no such name; alhpa".
+/// The error for a text that cannot be read, such as "no such name; alhpa". It does not contain the place.
 struct UnreadableStatement : std::logic_error {
   using std::logic_error::logic_error;
 };
@@ -20,7 +20,7 @@ struct StatementPlace {
   std::string file;  ///< empty if the text does not name its file
   int line = 0;
 };
-/// "equation.txt, line 7"
+/// Returns text such as "equation.txt, line 7".
 std::string to_text(const StatementPlace& place);
 
 struct StatementLine {
@@ -35,12 +35,12 @@ struct StatementSection {
   std::vector<StatementLine> lines = {};
 };
 
-/// `place` follows the line that is read. Throws UnreadableStatement.
+/// Returns the sections of the text. `place` is always the current line. Throws UnreadableStatement.
 std::vector<StatementSection> statement_sections(std::string_view text, StatementPlace& place);
 
-/// Both parts around the first separator, without it; absent if it does not occur.
+/// Returns the parts before and after the first separator; absent if the separator does not occur.
 std::optional<std::pair<std::string, std::string>> cut(const std::string& text, const std::string& separator);
-/// The parts between the separators that none of these brackets encloses.
+/// Returns the parts between the separators. Separators inside these brackets do not count.
 std::vector<std::string> split(const std::string& text, const std::string& separator = ",",
                                const std::string& brackets = "([{");
 

@@ -85,7 +85,7 @@ class ExpressionReader {
     close();
     return meaning_.call(name, arguments);
   }
-  /// The text up to the bracket that closes the one before it.
+  /// Returns the text up to the matching closing bracket.
   std::string enclosed(char bracket) {
     const std::size_t first = at_;
     for (int depth = 1; at_ < text_.size(); ++at_) {

@@ -1,5 +1,6 @@
 #pragma once
-// Expressions in the texts of statements: + - * / ^, parentheses, numbers, names, name_{index}, calls, [lists], list[index].
+// Expressions in the texts of statements: + - * / ^, parentheses, numbers, names, name_{index}, calls, [lists],
+// list[index].
 
 #include <ginac/ginac.h>
 
@@ -8,14 +9,14 @@
 
 namespace steadyslide::symbolic {
 
-/// Gives the values of the names, calls and lists in an expression.
+/// Returns the values of the names, calls and lists in an expression.
 class ExpressionMeaning {
  public:
   virtual ~ExpressionMeaning() = default;
 
   virtual GiNaC::ex named(const std::string& name) = 0;
   virtual GiNaC::ex call(const std::string& function, const std::vector<GiNaC::ex>& arguments) = 0;
-  /// The values of what stands between the brackets of a list.
+  /// Returns the values of the text between the brackets of a list.
   virtual std::vector<GiNaC::ex> items(const std::string& text) = 0;
 };
 

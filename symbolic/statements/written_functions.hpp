@@ -1,5 +1,5 @@
 #pragma once
-// The functions that every text of statements may call, and what their arguments are.
+// The functions that every text of statements may call, and their arguments.
 
 #include <ginac/ginac.h>
 
@@ -28,18 +28,19 @@ struct WrittenFunction {
 };
 using WrittenFunctions = std::map<std::string, WrittenFunction>;
 
-/// The functions of every text that need no field.
+/// Returns the functions of every text that need no field.
 WrittenFunctions plain_functions();
 
 // Conversions of an expression. Each throws UnreadableStatement if the expression has another type.
 
 int integer(const GiNaC::ex& e);
-/// An integer that is not negative.
+/// Returns a non-negative integer.
 std::size_t count(const GiNaC::ex& e);
-/// The entries of a list.
+/// Returns the entries of a list.
 std::vector<GiNaC::ex> entries(const GiNaC::ex& e);
 GiNaC::ex list_of(const std::vector<GiNaC::ex>& entries);
-/// Components from left to right, three entries each: is the left end free, is the right end free, number of jumps.
+/// Takes the components from left to right, three entries each: 1 if the left end is free, 1 if the right end is free,
+/// number of jumps.
 FundamentalSolution contact(const GiNaC::ex& ends_and_jumps);
 
 }  // namespace steadyslide::symbolic

@@ -33,7 +33,7 @@ ExactIdentity rational_identity(const std::string& words, const ex& lhs, const e
 /// Decides one statement and its wrong variants, line by line.
 class StatementReader : private ExpressionMeaning {
  public:
-  /// `symbols`: the names that stand for themselves; `place` follows the line that is read.
+  /// `symbols`: the names that are symbols; `place` is always the current line.
   StatementReader(const StatementSection& section, const std::vector<std::string>& symbols,
                   const WrittenFunctions& more, StatementPlace& place)
       : section_(section), place_(place), declared_(symbols.begin(), symbols.end()), functions_(more) {
@@ -149,7 +149,7 @@ class StatementReader : private ExpressionMeaning {
     }
   }
 
-  /// The text with the values of expressions in braces.
+  /// Returns the text with expressions in braces replaced by their values.
   std::string with_values(const std::string& text) {
     const std::size_t open = text.find('{'), close = text.find('}');
     if (open == text.npos || close == text.npos) return text;
@@ -215,7 +215,7 @@ class StatementReader : private ExpressionMeaning {
     return {integer((2 * rest).expand()), times};
   }
 
-  /// Declared as it is, or as `name_*` for name_0, name_1, ...
+  /// True if the name is declared as such, or as `name_*` for name_0, name_1, ...
   bool is_declared(const std::string& name) const {
     const std::size_t end = name.find_last_not_of("0123456789") + 1;
     return declared_.contains(name) || (end < name.size() && declared_.contains(name.substr(0, end) + "*"));
@@ -245,7 +245,7 @@ class StatementReader : private ExpressionMeaning {
     return result;
   }
 
-  /// The values of "a, b, 0..3"; of "f(j) | j = 0..3" those of f(0), ..., f(3).
+  /// Returns the values of "a, b, 0..3"; for "f(j) | j = 0..3" the values of f(0), ..., f(3).
   Arguments items(const std::string& text) override {
     Arguments all;
     if (text.empty()) return all;
@@ -281,13 +281,13 @@ class StatementReader : private ExpressionMeaning {
   std::map<std::string, symbol> symbols_;
   std::map<std::string, ex> values_;
   std::map<std::string, Function> written_;
-  std::map<std::string, ex> changes_;  ///< of the wrong variant that is decided
+  std::map<std::string, ex> changes_;  ///< of the current wrong variant
   std::optional<ExactIdentity> identity_;
   int equations_ = 0;
   std::string words_;
 };
 
-/// The section with the definitions around it.
+/// Returns the section with the definitions before and after it.
 StatementSection with_definitions(const std::vector<Line>& definitions, StatementSection section) {
   const auto then = std::ranges::find(definitions, "then", &Line::keyword);
   section.lines.insert(section.lines.begin(), definitions.begin(), then);
@@ -329,7 +329,7 @@ std::vector<DecidedStatement> read_statements(std::string_view text, const Writt
 std::vector<DecidedStatement> written_statements(std::string_view text,
                                                  const std::vector<DecidedStatement>& decided_elsewhere,
                                                  const WrittenFunctions& more) {
-  StatementPlace place;  // of what is read or decided
+  StatementPlace place;  // the place that is read or decided
   try {
     return read_statements(text, more, decided_elsewhere, place);
   } catch (const UnreadableStatement& error) {
