@@ -1,12 +1,13 @@
 #include <boost/algorithm/string/replace.hpp>
 
 #include "app/gnuplot/gnuplot.hpp"
+#include "symbolic/field/plain_formula.hpp"
 
 namespace steadyslide::app {
 namespace {
 
-std::string svg_escaped(std::string text) {
-  std::erase(text, '`');
+std::string svg_escaped(std::string_view marked) {
+  std::string text = symbolic::without_marks(marked);
   for (const auto& [sign, name] : {std::pair("&", "&amp;"), {"<", "&lt;"}, {">", "&gt;"}}) {
     boost::replace_all(text, sign, name);
   }

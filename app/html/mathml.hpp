@@ -14,11 +14,8 @@ std::optional<std::string> mathml(std::string_view formula);
 /// in several lines is one <span class="f">.
 std::string prose(std::string_view text);
 
-/// The same for words whose formulas have no backticks, as names of controls: "at nu = 1/3, f = 2". Those are set in a line of
-/// HTML where that does, else as MathML. What has letters that are no names of the notation stays text; "a" and "I" are
-/// formulas only beside a sign. Numbers get a real minus sign.
-std::string worded(std::string_view text);
-/// The same for words whose formulas have backticks.
+/// The same with formulas in a line of HTML where that does, else as MathML: a tenth of the size, for the words of which a
+/// page has thousands.
 std::string lined(std::string_view text);
 
 }  // namespace steadyslide::app

@@ -24,7 +24,7 @@ std::vector<const Kind*> all_of(const checks::Report& report) {
 
 std::string heading(std::string_view text) { return block("h5", text); }
 
-std::string paragraph(std::string_view text) { return text.empty() ? "" : block("p", worded(text)); }
+std::string paragraph(std::string_view text) { return text.empty() ? "" : block("p", lined(text)); }
 
 /// 3.1e-52 with a power of ten; what is no number as it is.
 std::string number(const std::string& text) {
@@ -69,7 +69,7 @@ std::string proof_html(const checks::Report& report) {
     tree +=
         "\n<li>" + lined(checks::theory().sentence(node.fact)) + " " + span("by", by + (again ? ", see above" : ""));
     if (again) continue;
-    for (const std::string& words : node.words) tree += span("words", worded(words));
+    for (const std::string& words : node.words) tree += span("words", lined(words));
   }
   for (std::size_t k = 0; k <= level && !tree.empty(); ++k) tree += "</li></ul>";
   html += block("div", tree, {{"class", "proof"}});
@@ -83,7 +83,7 @@ std::string identities(const checks::Report& report) {
     html += heading("Exact identities");
     html += paragraph(piece->detail);
     std::vector<std::string> items;
-    for (const std::string& identity : piece->identities) items.push_back(worded(identity));
+    for (const std::string& identity : piece->identities) items.push_back(lined(identity));
     constexpr std::size_t few = 6;
     html += items.size() <= few ? list(items) : folded(fmt::format("{} identities", items.size()), list(items));
   }
@@ -97,11 +97,11 @@ std::string agreements(const checks::Report& report) {
   for (const auto* a : pieces) {
     std::string routes;
     for (const std::string& route : a->routes) {
-      routes += (routes.empty() ? "" : "<span class=\"against\">against</span> ") + worded(route) + " ";
+      routes += (routes.empty() ? "" : "<span class=\"against\">against</span> ") + lined(route) + " ";
     }
     std::string cases = fmt::format("{} of {}", a->effective, a->cases);
     if (a->effective < a->required) cases += fmt::format(" ({} required)", a->required);
-    rows.push_back({worded(a->what), routes, number(a->worst), number(a->tolerance), cases});
+    rows.push_back({lined(a->what), routes, number(a->worst), number(a->tolerance), cases});
   }
   return heading("Agreement of unrelated routes") +
          table_element("Agreement of unrelated routes",
@@ -117,7 +117,7 @@ std::string rates(const checks::Report& report) {
     const auto with_bar = [](double value, double bar) {
       return span("n", fmt::format("{:.3f} ± {:.3f}", value, bar));
     };
-    rows.push_back({worded(r->what), with_bar(r->measured, r->error_bar), with_bar(r->expected, r->tolerance)});
+    rows.push_back({lined(r->what), with_bar(r->measured, r->error_bar), with_bar(r->expected, r->tolerance)});
   }
   return heading("Rates of convergence") +
          table_element("Rates of convergence", {"error of", "power measured", "power expected"}, rows) +
@@ -126,7 +126,7 @@ std::string rates(const checks::Report& report) {
 
 std::string counterexamples(const checks::Report& report) {
   std::vector<std::string> items;
-  for (const auto* c : all_of<checks::Counterexample>(report)) items.push_back(worded(c->detail + " at " + c->where));
+  for (const auto* c : all_of<checks::Counterexample>(report)) items.push_back(lined(c->detail + " at " + c->where));
   return list(items, heading("Counterexample"));
 }
 
@@ -157,7 +157,7 @@ std::string badge(checks::Verdict verdict) { return span(fmt::format("badge {}",
 std::string evidence_html(const checks::Report& report, std::span<const checks::Report> reports) {
   std::string html = counterexamples(report) + proof_html(report) + identities(report) + agreements(report) +
                      rates(report) + beyond(report, reports);
-  if (!report.note.empty()) html += block("p", worded(report.note), {{"class", "note"}});
+  if (!report.note.empty()) html += block("p", lined(report.note), {{"class", "note"}});
   return html;
 }
 
@@ -173,9 +173,9 @@ std::string controls_html(const checks::Report& report) {
       continue;
     }
     // A wrong variant that is refuted says by its name what is wrong; of one that is not, all is said.
-    const std::string detail = control.detail.empty() ? "" : " " + span("by", worded(control.detail));
-    items += control.refuted ? block("li", worded(control.name))
-                             : block("li", "not refuted: " + worded(control.name) + detail, {{"class", "survived"}});
+    const std::string detail = control.detail.empty() ? "" : " " + span("by", lined(control.detail));
+    items += control.refuted ? block("li", lined(control.name))
+                             : block("li", "not refuted: " + lined(control.name) + detail, {{"class", "survived"}});
   }
   if (!steps.empty()) items += block("li", "the proof without one of its steps, which leaves a gap: " + steps);
   const std::string html = block("ul", "\n" + items, {{"class", "controls"}});

@@ -6,6 +6,7 @@
 #include "app/html/mathml.hpp"
 #include "app/report/sections.hpp"
 #include "proofs_checks/statements/paper_statements.hpp"
+#include "symbolic/field/plain_formula.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -14,9 +15,7 @@ namespace checks = proofs_checks;
 
 /// What the filter looks through: as it is typed, not as it is typeset.
 std::string searched(const checks::ClaimText& claim) {
-  std::string text = claim.id + " " + claim.source + " " + claim.statement;
-  std::erase(text, '`');
-  return text;
+  return symbolic::without_marks(claim.id + " " + claim.source + " " + claim.statement);
 }
 
 /// The places of the paper that the claim speaks of: its own, and those of the statements that name it.

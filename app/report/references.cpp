@@ -65,7 +65,7 @@ std::string reference_text(const Reference& reference) {
   HtmlRows rows;
   for (std::size_t k = 2; k < reference.rows.size(); ++k) {
     for (std::vector<std::string>& row = rows.emplace_back(); const std::string& cell : reference.rows[k])
-      row.push_back(worded(cell));
+      row.push_back(lined(cell));
     rows.back().resize(columns.size());
   }
   const std::string line = reference.text.substr(sentence, reference.text.find_last_not_of(": ") + 1 - sentence);

@@ -29,7 +29,7 @@ std::string table_html(const TextTable& table) {
   HtmlRows rows(table.rows.size());
   std::vector<std::string> head;
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    head.push_back(worded(table.columns[k]));
+    head.push_back(lined(table.columns[k]));
     std::vector<std::string> aligned = columns[k];
     align_numbers(aligned);
     for (std::size_t i = 0; i < rows.size(); ++i)

@@ -11,6 +11,7 @@
 
 #include "app/embedded.hpp"
 #include "app/results/rows.hpp"
+#include "symbolic/field/plain_formula.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -40,11 +41,6 @@ std::string latex_text(const std::string& text) {
     is_formula = !is_formula;
   }
   return result;
-}
-
-std::string without_backticks(std::string text) {
-  std::erase(text, '`');
-  return text;
 }
 
 std::string markdown_row(const std::vector<std::string>& cells) {
@@ -103,9 +99,9 @@ std::string csv_document(const std::vector<TextTable>& tables) {
   for (const TextTable& table : tables) {
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
       for (std::size_t k = 0; k < table.columns.size(); ++k) {
-        result +=
-            fmt::format("{},{},{},{}\n", csv_field(without_backticks(table.title)), i + 1,
-                        csv_field(without_backticks(table.columns[k])), csv_field(without_backticks(table.rows[i][k])));
+        result += fmt::format("{},{},{},{}\n", csv_field(symbolic::without_marks(table.title)), i + 1,
+                              csv_field(symbolic::without_marks(table.columns[k])),
+                              csv_field(symbolic::without_marks(table.rows[i][k])));
       }
     }
   }

@@ -25,7 +25,7 @@ bool below_half(const std::optional<Rational>& from, const std::optional<Rationa
 }
 
 Decision decided(bool holds, const Ball& alpha) {
-  return {holds ? Truth::yes : Truth::unknown, {"alpha = arctan(s)/pi in " + alpha.to_string(6)}};
+  return {holds ? Truth::yes : Truth::unknown, {"`alpha = arctan(s)/pi` in " + alpha.to_string(6)}};
 }
 
 Decision powers(const Box& box) {
@@ -57,9 +57,9 @@ Decision without_arctan(const Box& box) {
 Enclosure edge_powers() {
   return {"edge-powers",
           powers,
-          {{"-(3/2+alpha) > -1", [](const Box& box) { return lower_power(box, 1); }},
-           {"-(3/2-alpha) > -1", [](const Box& box) { return lower_power(box, -1); }},
-           {"s for arctan(s)/pi", without_arctan}}};
+          {{"`-(3/2+alpha) > -1`", [](const Box& box) { return lower_power(box, 1); }},
+           {"`-(3/2-alpha) > -1`", [](const Box& box) { return lower_power(box, -1); }},
+           {"`s` for `arctan(s)/pi`", without_arctan}}};
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -30,8 +30,8 @@ Enclosure galin_at_two() {
   return {"galin-at-2",
           galin_digits(2, power),
           {{"the other sign", galin_digits(2, power, 1)},
-           {"3^{1/4}", galin_digits(2, Rational(1, 4))},
-           {"without sqrt(2)", galin_digits(1, power)},
+           {"`3^{1/4}`", galin_digits(2, Rational(1, 4))},
+           {"without `sqrt(2)`", galin_digits(1, power)},
            {"another last digit", galin_digits(2, power, -1, "0.000000000000001")}}};
 }
 

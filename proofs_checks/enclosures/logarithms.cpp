@@ -27,10 +27,10 @@ Decision largest_distance(const Box& box, const Rational& unit) {
 
 Enclosure logarithm_of_two() {
   return {"logarithm-of-two",
-          at(2, 1, "log 2 > 0"),
-          {{"log(1/2) > 0", at(Rational(1, 2), 1, "log(1/2)")},
-           {"-log 2 > 0", at(2, -1, "-log 2")},
-           {"log(2/4) > 0, on an interval twice as long as 4", at(Rational(4, 8), 1, "log(4/8)")}}};
+          at(2, 1, "`log 2 > 0`"),
+          {{"`log(1/2) > 0`", at(Rational(1, 2), 1, "log(1/2)")},
+           {"`-log 2 > 0`", at(2, -1, "-log 2")},
+           {"`log(2/4) > 0`, on an interval twice as long as 4", at(Rational(4, 8), 1, "log(4/8)")}}};
 }
 
 Enclosure logarithm_of_a_unit() {
@@ -38,7 +38,7 @@ Enclosure logarithm_of_a_unit() {
           [](const Box& box) { return largest_distance(box, 1); },
           {{"lengths in units of half the support's", [](const Box& box) { return largest_distance(box, 2); }},
            {"lengths in units of a third of the support's", [](const Box& box) { return largest_distance(box, 3); }},
-           {"log d >= 0", [](const Box& box) -> Decision {
+           {"`log d >= 0`", [](const Box& box) -> Decision {
               const Interval d = box.at("d");
               // Halfway to the smallest distance.
               const Ball value = log(Ball((*d.from + *d.to) / 2, sign_bits));

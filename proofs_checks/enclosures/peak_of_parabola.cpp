@@ -106,8 +106,8 @@ Enclosure peak_of_parabola() {
   return {"peak-of-parabola",
           with(1, twentieth),
           {{"1/30 for 1/20", with(1, Rational(1, 30))},
-           {"cos(pi alpha) alone", with(0, twentieth)},
-           {"the power 2 alpha", with(2, twentieth)},
+           {"`cos(pi alpha)` alone", with(0, twentieth)},
+           {"the power `2 alpha`", with(2, twentieth)},
            {"the quotient turned", with(-1, twentieth)}}};
 }
 

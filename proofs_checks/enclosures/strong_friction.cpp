@@ -22,7 +22,7 @@ Decision between(const Box& box) {
   const Ball eps = largest(box);
   const Ball square = Ball::pi(sign_bits) * Ball::pi(sign_bits);
   const bool small = eps * square / 6 <= Ball(1, sign_bits);
-  return {small ? Truth::yes : Truth::unknown, {"1 <= sin(pi eps)/(pi eps (1-eps)) <= 1 + eps"}};
+  return {small ? Truth::yes : Truth::unknown, {"`1 <= sin(pi eps)/(pi eps (1-eps)) <= 1 + eps`"}};
 }
 
 /// Refuted at the largest eps, below 1: is 2A <= 1 + slope eps, or >= with `at_least`?
@@ -42,9 +42,9 @@ Enclosure::Decide bound_at_largest(const Rational& slope, bool at_least) {
 Enclosure triangle_amplitude() {
   return {"triangle-amplitude",
           between,
-          {{"2A <= 1 + eps/2", bound_at_largest(Rational(1, 2), false)},
-           {"2A <= 1", bound_at_largest(0, false)},
-           {"2A >= 1 + eps", bound_at_largest(1, true)}}};
+          {{"`2A <= 1 + eps/2`", bound_at_largest(Rational(1, 2), false)},
+           {"`2A <= 1`", bound_at_largest(0, false)},
+           {"`2A >= 1 + eps`", bound_at_largest(1, true)}}};
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -4,6 +4,8 @@
 #include <boost/algorithm/string/join.hpp>
 #include <cstdio>
 
+#include "symbolic/field/plain_formula.hpp"
+
 namespace steadyslide::proofs_checks {
 namespace {
 
@@ -53,6 +55,6 @@ std::string_view kind_of(const Evidence& evidence) {
   return kinds[evidence.index()];
 }
 
-std::string describe(const Evidence& evidence) { return std::visit(Describe{}, evidence); }
+std::string describe(const Evidence& evidence) { return symbolic::without_marks(std::visit(Describe{}, evidence)); }
 
 }  // namespace steadyslide::proofs_checks

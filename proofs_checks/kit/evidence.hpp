@@ -59,7 +59,7 @@ using Evidence =
 /// "proof", "exact-identity", "agreement", "convergence-rate", "counterexample", "beyond-calculation".
 std::string_view kind_of(const Evidence& evidence);
 
-/// One line for a reader, with the numbers.
+/// One line for a reader, with the numbers; formulas have no backticks.
 std::string describe(const Evidence& evidence);
 
 }  // namespace steadyslide::proofs_checks

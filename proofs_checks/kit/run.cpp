@@ -6,6 +6,8 @@
 #include <exception>
 #include <optional>
 
+#include "symbolic/field/plain_formula.hpp"
+
 namespace steadyslide::proofs_checks {
 namespace {
 
@@ -72,7 +74,8 @@ Report run(const Claim& claim, const Context& context) {
   if (claim.controls.empty() && !report.beyond_calculation()) report.note += "not checked: the claim has no controls";
   for (const ControlReport& control : report.controls) {
     if (control.refuted) continue;
-    report.note += (report.note.empty() ? "" : "; ") + ("not checked: the control survives: " + control.name);
+    report.note += (report.note.empty() ? "" : "; ") +
+                   ("not checked: the control survives: " + symbolic::without_marks(control.name));
   }
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "symbolic/coq/coq_equation.hpp"
+#include "symbolic/field/plain_formula.hpp"
 
 namespace steadyslide::symbolic {
 
@@ -100,7 +101,8 @@ CoqLemmas coq_lemmas(const std::string& id, const ExactIdentity& identity) {
       result.not_exported.push_back({id, what, reason});
       continue;
     }
-    const std::string words = id + ": " + identity.statement + (what.empty() ? "." : "; " + what + ".") + divisors;
+    const std::string words =
+        id + ": " + without_marks(identity.statement) + (what.empty() ? "." : "; " + what + ".") + divisors;
     result.lemmas.push_back(
         lemma_of(equations.size() == 1 ? name : name + "_" + std::to_string(k + 1), words, equation));
   }

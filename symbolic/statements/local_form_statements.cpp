@@ -47,16 +47,16 @@ DecidedStatement theorem_2_jump() {
   const ex l = jump.r(Side::left);
   const ex r = jump.r(Side::right);
   return {"theorem-2-jump",
-          jump.decide("t = -theta |x|^beta/sqrt(1+s(x)^2), beta = alpha_l - alpha_r, at a friction jump", Jump::beta,
-                      1 / l, 1 / r),
-          {jump.decide("beta of the other sign: front and rear exchanged", local_exponent(0, -1, 1), 1 / l, 1 / r),
-           jump.decide("alpha_l + alpha_r in place of beta", local_exponent(0, 1, 1), 1 / l, 1 / r),
+          jump.decide("`t = -theta |x|^beta/sqrt(1+s(x)^2)`, `beta = alpha_l - alpha_r`, at a friction jump",
+                      Jump::beta, 1 / l, 1 / r),
+          {jump.decide("`beta` of the other sign: front and rear exchanged", local_exponent(0, -1, 1), 1 / l, 1 / r),
+           jump.decide("`alpha_l + alpha_r` in place of `beta`", local_exponent(0, 1, 1), 1 / l, 1 / r),
            jump.decide("amplitudes of the sides swapped", Jump::beta, 1 / r, 1 / l),
-           jump.decide("1/sqrt(1+s^2) missing", Jump::beta, 1, 1),
-           jump.decide("sqrt(1+s^2) in place of its reciprocal", Jump::beta, l, r),
+           jump.decide("`1/sqrt(1+s^2)` missing", Jump::beta, 1, 1),
+           jump.decide("`sqrt(1+s^2)` in place of its reciprocal", Jump::beta, l, r),
            jump.decide("the sign of one amplitude", Jump::beta, -1 / l, 1 / r),
-           jump.decide("|x|^(beta+1) with amplitudes of one sign", Jump::beta, -1 / l, 1 / r, 1),
-           jump.decide("1/2 added to beta", local_exponent(1, 1, -1), 1 / l, 1 / r)}};
+           jump.decide("`|x|^(beta+1)` with amplitudes of one sign", Jump::beta, -1 / l, 1 / r, 1),
+           jump.decide("1/2 added to `beta`", local_exponent(1, 1, -1), 1 / l, 1 / r)}};
 }
 
 DecidedStatement theorem_2_wedge_and_jump() {
@@ -66,11 +66,11 @@ DecidedStatement theorem_2_wedge_and_jump() {
   const ex l = jump.r(Side::left);
   const ex r = jump.r(Side::right);
   return {"theorem-2-wedge-and-jump",
-          jump.with_constant("t = [psi_bar']/[s] - theta |x|^beta/sqrt(1+s(x)^2) at a wedge and friction jump", a, a),
-          {jump.with_constant("[s] taken from right to left", -a, -a),
-           jump.with_constant("s_l + s_r in place of [s]", d / jump.total(), d / jump.total()),
+          jump.with_constant("`t = [psi_bar']/[s] - theta |x|^beta/sqrt(1+s(x)^2)` at a wedge and friction jump", a, a),
+          {jump.with_constant("`[s]` taken from right to left", -a, -a),
+           jump.with_constant("`s_l + s_r` in place of `[s]`", d / jump.total(), d / jump.total()),
            jump.with_constant("the constant on the right side alone", 0, a),
-           jump.with_constant("a factor pi in the constant", a / jump.frame().pi(), a / jump.frame().pi()),
+           jump.with_constant("a factor `pi` in the constant", a / jump.frame().pi(), a / jump.frame().pi()),
            jump.with_constant("the constant without its divisor", d, d),
            jump.decide("the constant missing", Jump::beta, 1 / l, 1 / r),
            jump.decide("a logarithm with the constant", Jump::beta, 1 / l, 1 / r, 0,
@@ -105,11 +105,11 @@ class Wedge {
     const ex log = one / frame_.pi();
     return {id,
             decide(words, log, 0, s * one),
-            {decide("pi missing in the logarithm", one, 0, s * one),
+            {decide("`pi` missing in the logarithm", one, 0, s * one),
              decide("Heaviside's function on the other side", log, s * one, 0),
-             decide("the sign of alpha", log, 0, -s * one), decide("Heaviside's function missing", log, 0, 0),
-             decide("1/(1+s^2) missing", 1 / ex(frame_.pi()), 0, s),
-             decide("1/sqrt(1+s^2) in place of 1/(1+s^2)", frame_.friction(Side::left).cos / frame_.pi(), 0,
+             decide("the sign of `alpha`", log, 0, -s * one), decide("Heaviside's function missing", log, 0, 0),
+             decide("`1/(1+s^2)` missing", 1 / ex(frame_.pi()), 0, s),
+             decide("`1/sqrt(1+s^2)` in place of `1/(1+s^2)`", frame_.friction(Side::left).cos / frame_.pi(), 0,
                     s * frame_.friction(Side::left).cos),
              decide("the slopes of the sides swapped", -log, 0, -s * one),
              decide("a factor 2 in the logarithm", 2 * log, 0, s * one)}};
@@ -139,14 +139,14 @@ DecidedStatement end_statement(const std::string& id, const LocalEnd& end, bool 
   };
   DecidedStatement result{
       id,
-      decide("contact on the " + std::string(right ? "right" : "left") + ": t = -theta d^(" + power +
-                 "), u_bar' = " + (right == free ? "" : "-") + "theta sqrt(1+s^2) d^(" + power + ") beyond",
+      decide("contact on the " + std::string(right ? "right" : "left") + ": `t = -theta d^(" + power +
+                 ")`, `u_bar' = " + (right == free ? "" : "-") + "theta sqrt(1+s^2) d^(" + power + ")` beyond",
              halves, times, contact, slope),
-      {decide("the sign of alpha: front and rear exchanged", halves, -times, contact, slope),
-       decide("alpha missing in the power", halves, 0, contact, slope),
+      {decide("the sign of `alpha`: front and rear exchanged", halves, -times, contact, slope),
+       decide("`alpha` missing in the power", halves, 0, contact, slope),
        decide("1/2 missing in the power", 0, times, contact, slope),
-       decide("sqrt(1+s^2) missing in the slope", halves, times, contact, slope / r),
-       decide("1/sqrt(1+s^2) in the slope", halves, times, contact, slope / (r * r)),
+       decide("`sqrt(1+s^2)` missing in the slope", halves, times, contact, slope / r),
+       decide("`1/sqrt(1+s^2)` in the slope", halves, times, contact, slope / (r * r)),
        decide("the sign of the slope", halves, times, contact, -slope),
        decide("the power of the " + std::string(free ? "edge" : "free end") + " with this slope", -halves, times,
               contact, slope)}};
@@ -154,7 +154,7 @@ DecidedStatement end_statement(const std::string& id, const LocalEnd& end, bool 
     const Side other = opposite(contact);
     result.controls.push_back(decide("the angle of the other side", halves, times, other, slope));
     result.controls.push_back(
-        decide("sqrt(1+s^2) of the other side in the slope", halves, times, contact, slope / r * end.r(other)));
+        decide("`sqrt(1+s^2)` of the other side in the slope", halves, times, contact, slope / r * end.r(other)));
   }
   return result;
 }
@@ -165,7 +165,7 @@ std::vector<DecidedStatement> local_form_statements() {
   const symbol d("D");
   const Wedge wedge({d, 0, 0});
   const Wedge curved({symbol("D_0"), symbol("D_1"), symbol("D_2")});
-  const std::string form = "t = [psi_bar']/(1+s^2) (log|x|/pi + s H(x)) at a wedge";
+  const std::string form = "`t = [psi_bar']/(1+s^2) (log|x|/pi + s H(x))` at a wedge";
   std::vector<DecidedStatement> all{theorem_2_jump(), theorem_2_wedge_and_jump(),
                                     wedge.statement("theorem-2-wedge", form + " without a friction jump")};
   for (const bool one_friction : {false, true}) {
@@ -180,7 +180,7 @@ std::vector<DecidedStatement> local_form_statements() {
     if (!one_friction) {
       all.push_back(wedge.statement("theorem-9", form + " under constant friction"));
       all.push_back(curved.statement("theorem-9-three-orders",
-                                     "t = D(x)/(1+s^2) (log|x|/pi + s H(x)), D(x) = D_0 + D_1 x + D_2 x^2"));
+                                     "`t = D(x)/(1+s^2) (log|x|/pi + s H(x))`, `D(x) = D_0 + D_1 x + D_2 x^2`"));
     }
   }
   return all;

@@ -32,36 +32,36 @@ DecidedStatement exponent_at(const std::string& id, PointKind kind, const std::s
 
 void add_exponents(std::vector<DecidedStatement>& all) {
   const auto form = [](int halves, int left, int right) { return AngleForm(halves, {{0, left}, {1, right}}); };
-  all.push_back(exponent_at("rh-exponent-left-edge", PointKind::left_edge, "a left edge has p = -(1/2 + alpha)",
+  all.push_back(exponent_at("rh-exponent-left-edge", PointKind::left_edge, "a left edge has `p = -(1/2 + alpha)`",
                             form(-1, 0, -1),
-                            {{"-(1/2 - alpha)", form(-1, 0, 1)},
-                             {"1/2 - alpha", form(1, 0, -1)},
+                            {{"`-(1/2 - alpha)`", form(-1, 0, 1)},
+                             {"`1/2 - alpha`", form(1, 0, -1)},
                              {"-1/2", form(-1, 0, 0)},
                              {"with the friction off the contact", form(-1, -1, 0)}}));
-  all.push_back(exponent_at("rh-exponent-right-edge", PointKind::right_edge, "a right edge has p = -(1/2 - alpha)",
+  all.push_back(exponent_at("rh-exponent-right-edge", PointKind::right_edge, "a right edge has `p = -(1/2 - alpha)`",
                             form(-1, 1, 0),
-                            {{"-(1/2 + alpha)", form(-1, -1, 0)},
-                             {"1/2 + alpha", form(1, 1, 0)},
+                            {{"`-(1/2 + alpha)`", form(-1, -1, 0)},
+                             {"`1/2 + alpha`", form(1, 1, 0)},
                              {"-1/2", form(-1, 0, 0)},
                              {"with the friction off the contact", form(-1, 0, 1)}}));
-  all.push_back(exponent_at("rh-exponent-left-free", PointKind::left_free, "a free left end has p = 1/2 - alpha",
+  all.push_back(exponent_at("rh-exponent-left-free", PointKind::left_free, "a free left end has `p = 1/2 - alpha`",
                             form(1, 0, -1),
-                            {{"1/2 + alpha", form(1, 0, 1)},
-                             {"-(1/2 + alpha)", form(-1, 0, -1)},
-                             {"3/2 - alpha", form(3, 0, -1)},
+                            {{"`1/2 + alpha`", form(1, 0, 1)},
+                             {"`-(1/2 + alpha)`", form(-1, 0, -1)},
+                             {"`3/2 - alpha`", form(3, 0, -1)},
                              {"1/2", form(1, 0, 0)}}));
-  all.push_back(exponent_at("rh-exponent-right-free", PointKind::right_free, "a free right end has p = 1/2 + alpha",
+  all.push_back(exponent_at("rh-exponent-right-free", PointKind::right_free, "a free right end has `p = 1/2 + alpha`",
                             form(1, 1, 0),
-                            {{"1/2 - alpha", form(1, -1, 0)},
-                             {"-(1/2 - alpha)", form(-1, 1, 0)},
-                             {"3/2 + alpha", form(3, 1, 0)},
+                            {{"`1/2 - alpha`", form(1, -1, 0)},
+                             {"`-(1/2 - alpha)`", form(-1, 1, 0)},
+                             {"`3/2 + alpha`", form(3, 1, 0)},
                              {"1/2", form(1, 0, 0)}}));
-  all.push_back(exponent_at("rh-exponent-jump", PointKind::jump, "a friction jump has p = alpha(c-) - alpha(c+)",
+  all.push_back(exponent_at("rh-exponent-jump", PointKind::jump, "a friction jump has `p = alpha(c-) - alpha(c+)`",
                             form(0, 1, -1),
-                            {{"alpha(c+) - alpha(c-)", form(0, -1, 1)},
-                             {"alpha(c-) + alpha(c+)", form(0, 1, 1)},
-                             {"1/2 + alpha(c-) - alpha(c+)", form(1, 1, -1)},
-                             {"1 + alpha(c-) - alpha(c+)", form(2, 1, -1)},
+                            {{"`alpha(c+) - alpha(c-)`", form(0, -1, 1)},
+                             {"`alpha(c-) + alpha(c+)`", form(0, 1, 1)},
+                             {"`1/2 + alpha(c-) - alpha(c+)`", form(1, 1, -1)},
+                             {"`1 + alpha(c-) - alpha(c+)`", form(2, 1, -1)},
                              {"0", form(0, 0, 0)}}));
 }
 
@@ -147,13 +147,14 @@ DecidedStatement local_action() {
   };
   return {
       "rh-local-action",
-      decided("|x|^lambda log|x|^m, m <= 2, on one side of 0: its image by H is the mean of the limits of W, up to one "
-              "power series",
-              ActionVariant::right),
-      {decided("cot(pi lambda) of the other sign", ActionVariant::cotangent),
-       decided("1/sin(pi lambda) of the other sign", ActionVariant::cosecant),
+      decided(
+          "`|x|^lambda log|x|^m`, `m <= 2`, on one side of 0: its image by `H` is the mean of the limits of `W`, up to one "
+          "power series",
+          ActionVariant::right),
+      {decided("`cot(pi lambda)` of the other sign", ActionVariant::cotangent),
+       decided("`1/sin(pi lambda)` of the other sign", ActionVariant::cosecant),
        decided("the sides exchanged", ActionVariant::exchanged), decided("the banks exchanged", ActionVariant::banks),
-       decided("without pi", ActionVariant::pi)}};
+       decided("without `pi`", ActionVariant::pi)}};
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ Claim claim() {
       .predicted(one_value(
           "centre", []<Real R>(const ContactProblem& p) { return R(-numeric::FrictionLayout<R>::of(p).moment(0)); }))
       .wrong("towards the front", scaled({"centre"}, -1))
-      .wrong("the mean of alpha", scaled({"centre"}, 0.5))
+      .wrong("the mean of `alpha`", scaled({"centre"}, 0.5))
       .wrong("the middle", replaced({{"centre", Number(0)}}))
       .wrong("without the friction of the first strip",
              [](Values& p, const ContactProblem& c) {

@@ -36,8 +36,8 @@ Claim claim() {
         return Values{{"difference", R(difference / (2 * friction.value().value - difference))}};
       })
       .wrong("no difference", replaced({{"difference", Number(0)}}))
-      .wrong("A and B exchanged", scaled({"difference"}, -1))
-      .wrong("1/pi for 2/pi", scaled({"difference"}, 0.5))
+      .wrong("`A` and `B` exchanged", scaled({"difference"}, -1))
+      .wrong("`1/pi` for `2/pi`", scaled({"difference"}, 0.5))
       .near_misses();
 }
 

@@ -31,7 +31,7 @@ Values measured(const Halves& halves) {
     levels.push_back({1 / to_real<double>(parse_rational(gamma)), static_cast<double>(R(abs(rest)))});
   }
   const Rate rate = fitted_rate(levels);
-  return {{"first order", limit}, {"rest", Order{rate.value, rate.error_bar, "gamma from 1e-2 to 1e-3"}}};
+  return {{"first order", limit}, {"rest", Order{rate.value, rate.error_bar, "`gamma` from `1e-2` to `1e-3`"}}};
 }
 
 Values predicted(const Halves& halves, const Number& constant) {
@@ -53,13 +53,13 @@ Claim claim() {
       .measured([]<Real R>(const Halves& halves) { return measured<R>(halves); })
       .predicted([](const Halves& halves) { return predicted(halves, catalan()); })
       .wrong("the rough half in front costs more", scaled({"first order"}, -1))
-      .wrong("pi^2/12 for Catalan's constant",
+      .wrong("`pi^2/12` for Catalan's constant",
              [](Values& p, const Halves& halves) {
                p = predicted(halves, Number(numeric::pi<Number>() * numeric::pi<Number>() / 12));
              })
       .wrong("linear in the coefficients",
              scaled({"first order"}, [](const Halves& h) { return to_real<Number>(1 / (h.rear + h.front)); }))
-      .wrong("2 G for 4 G", scaled({"first order"}, 0.5))
+      .wrong("`2 G` for `4 G`", scaled({"first order"}, 0.5))
       .wrong("a rest of first order", replaced({{"rest", Order{1}}}))
       .near_misses();
 }

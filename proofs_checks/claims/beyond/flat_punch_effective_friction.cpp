@@ -57,14 +57,14 @@ Claim claim() {
       .predicted(one_value("friction", []<Real R>(const ContactProblem& p) { return by_surface<R>(p); }))
       .wrong("the mean of the coefficients",
              [](Values& p, const ContactProblem& c) { p["friction"] = mean_friction(c); })
-      .wrong("tan(pi <alpha>)/gamma, as if the strips were ever finer",
+      .wrong("`tan(pi <alpha>)/gamma`, as if the strips were ever finer",
              [](Values& p, const ContactProblem& c) { p["friction"] = of_mean_angle(c); })
-      .wrong("A and B exchanged: the other direction of sliding",
+      .wrong("`A` and `B` exchanged: the other direction of sliding",
              [](Values& p, const ContactProblem& c) {
                p["friction"] = by_surface<Number>(
                    c.with_sliding(c.sliding() == Sliding::plus_x ? Sliding::minus_x : Sliding::plus_x));
              })
-      .wrong("without 1/pi", scaled({"friction"}, numeric::pi<Number>()))
+      .wrong("without `1/pi`", scaled({"friction"}, numeric::pi<Number>()))
       .near_misses();
 }
 

@@ -58,9 +58,9 @@ Claim claim() {
       .precision(Precision::in_double)
       .measured(measured)
       .predicted(predicted)
-      .wrong("the mean of s", [](Values& p, const Period& c) { p["limit"] = mean(c); })
+      .wrong("the mean of `s`", [](Values& p, const Period& c) { p["limit"] = mean(c); })
       .wrong("the order 1/2, as without friction", replaced({{"order", Number(0.5)}}))
-      .wrong("the order 1/2 + <alpha>, of the front edge", [](Values& p) { p["order"] = 1 - p["order"]; })
+      .wrong("the order `1/2 + <alpha>`, of the front edge", [](Values& p) { p["order"] = 1 - p["order"]; })
       .wrong("the order 1", replaced({{"order", Number(1)}}))
       .wrong("always from above", replaced({{"it comes from above", true}}))
       .near_misses();

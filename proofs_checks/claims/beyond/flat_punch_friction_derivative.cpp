@@ -51,16 +51,16 @@ Claim claim() {
       .predicted([]<Real R>(const ContactProblem& p) {
         return Values{{"derivative", weight<R>(p, p.friction().jumps().front())}, {"it is positive", true}};
       })
-      .wrong("w at the mirrored place",
+      .wrong("`w` at the mirrored place",
              [](Values& p, const ContactProblem& c) {
                p["derivative"] = weight<Number>(c, Rational(-c.friction().jumps().front()));
              })
-      .wrong("w of the friction on the left everywhere",
+      .wrong("`w` of the friction on the left everywhere",
              [](Values& p, const ContactProblem& c) {
                const ContactProblem one = c.with_friction(FrictionProfile({c.friction().values().front()}));
                p["derivative"] = weight<Number>(one, c.friction().jumps().front());
              })
-      .wrong("the derivative by s for that by alpha",
+      .wrong("the derivative by `s` for that by `alpha`",
              [](Values& p, const ContactProblem& c) {
                const Number cosine = cos_pi_alpha<Number>(c.coupled_friction(0));
                p["derivative"] *= cosine * cosine / numeric::pi<Number>();

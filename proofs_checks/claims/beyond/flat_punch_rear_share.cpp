@@ -36,7 +36,7 @@ Claim claim() {
              [](Values& p, const ContactProblem& c) {
                p["share"] = share<Number>(c, c.coupled_friction(1), c.coupled_friction(0));
              })
-      .wrong("alpha of the other sign",
+      .wrong("`alpha` of the other sign",
              [](Values& p, const ContactProblem& c) {
                p["share"] = share<Number>(c, -c.coupled_friction(0), -c.coupled_friction(1));
              })

@@ -120,11 +120,11 @@ Claim claim() {
       .predicted(predicted)
       .wrong("the slope behind the notch alone",
              [](Values& p, const Notch& c) { p.set("threshold", threshold(c, {.integral = 0})); })
-      .wrong("sigma_1 of the other sign",
+      .wrong("`sigma_1` of the other sign",
              [](Values& p, const Notch& c) { p.set("threshold", threshold(c, {.sum = -1})); })
       .wrong("the integral over what is behind the notch",
              [](Values& p, const Notch& c) { p.set("threshold", threshold(c, {.from = -1})); })
-      .wrong("a gap that closes like 1 - P/P_c", replaced({{"exponent", Number(1)}}))
+      .wrong("a gap that closes like `1 - P/P_c`", replaced({{"exponent", Number(1)}}))
       .wrong("like its square root, as where ends meet without friction jump", replaced({{"exponent", Number(1) / 2}}))
       .near_misses();
 }

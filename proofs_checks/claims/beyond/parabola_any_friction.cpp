@@ -89,7 +89,7 @@ Claim claim() {
       .wrong("the contact moved to the front",
              [](Values& v, const ContactProblem& p) { v.set(ends(p, {.angle = -1})); })
       .wrong("without friction", [](Values& v, const ContactProblem& p) { v.set(ends(p, {.angle = 0})); })
-      .wrong("P R/pi for 2 P R/pi", [](Values& v, const ContactProblem& p) { v.set(ends(p, {.load = 1})); })
+      .wrong("`P R/pi` for `2 P R/pi`", [](Values& v, const ContactProblem& p) { v.set(ends(p, {.load = 1})); })
       .near_misses();
 }
 

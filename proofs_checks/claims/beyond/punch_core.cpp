@@ -67,8 +67,8 @@ Claim claim() {
                const auto [m0, m1] = moments(c);
                p.set(core(-m0, -m1));
              })
-      .wrong("M_1 left out", [](Values& p, const ContactProblem& c) { p.set(core(moments(c)[0], 0)); })
-      .wrong("the load at -M_0 alone",
+      .wrong("`M_1` left out", [](Values& p, const ContactProblem& c) { p.set(core(moments(c)[0], 0)); })
+      .wrong("the load at `-M_0` alone",
              [](Values& p, const ContactProblem& c) {
                const Number centre = -moments(c)[0];
                p.set({{"rear", centre}, {"front", centre}});

@@ -34,7 +34,7 @@ struct DefinitenessLaw {
 /// Ten per cent fewer and more cells than the law foretells.
 CaseList<Fall> falls(const Context& context) {
   Random random(context.seed, "vi-definiteness-lost");
-  CaseList<Fall> list{{}, "falling jumps, N 10 % on either side, seed " + std::to_string(context.seed)};
+  CaseList<Fall> list{{}, "falling jumps, `N` 10 % on either side, seed " + std::to_string(context.seed)};
   const PointValueLaw law;
   const auto both_sides = [&](const Rational& step, const Rational& place) {
     const double limit = 2 / to_real<double>(step);
@@ -73,8 +73,9 @@ void check_rate(Findings& findings, const PointValueLaw& law, std::size_t most) 
     before = error;
   }
   findings.measure(
-      {"distance of sup(T(c)^2/E) on N equal cells from its law, as a power of 1/N", rate, std::abs(rate - rate_before),
-       1, 0.1, "N = 16 to " + std::to_string(most) + ", doubled; the last rate, and how far the one before is off it"});
+      {"distance of `sup(T(c)^2/E)` on `N` equal cells from its law, as a power of `1/N`", rate,
+       std::abs(rate - rate_before), 1, 0.1,
+       "`N = 16` to " + std::to_string(most) + ", doubled; the last rate, and how far the one before is off it"});
 }
 
 void check(Findings& findings, const DefinitenessLaw& law, const Fall& fall) {
@@ -95,10 +96,10 @@ Claim claim() {
       .cases(falls)
       .precision(Precision::in_double)
       .checked(check)
-      .wrong("half the slope: log(N)/(2 pi)", [](L& law) { law.largest.slope /= 2; })
+      .wrong("half the slope: `log(N)/(2 pi)`", [](L& law) { law.largest.slope /= 2; })
       .wrong("the logarithm alone, no constant", [](L& law) { law.largest.constant = false; })
-      .wrong("indefinite where s rises instead of falls", [](L& law) { law.factor = -law.factor; })
-      .wrong("Lambda = phi, as without cells", [](L& law) { law.largest.cells_form = false; })
+      .wrong("indefinite where `s` rises instead of falls", [](L& law) { law.factor = -law.factor; })
+      .wrong("`Lambda = phi`, as without cells", [](L& law) { law.largest.cells_form = false; })
       .wrong("near miss: the constant moved by 1/1000", [](L& law) { law.largest.moved = 1e-3; });
 }
 

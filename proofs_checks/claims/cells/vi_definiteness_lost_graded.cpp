@@ -67,11 +67,11 @@ Claim claim() {
       .precision(Precision::in_double)
       .says([](const Fall&) { return L::of(slope); })
       .checked(check)
-      .wrong("half the slope: log(1/h)/(2 pi)", [](L& law) { law = L::of(slope / 2); })
+      .wrong("half the slope: `log(1/h)/(2 pi)`", [](L& law) { law = L::of(slope / 2); })
       .wrong("the logarithm alone, no constant", &L::constant, 0)
-      .wrong("indefinite where s rises instead of falls", [](L& law) { law.factor = -law.factor; })
-      .wrong("near miss: h foretold a sixth too large", [](L& law) { law.constant += 0.05; })
-      .wrong("near miss: h foretold a sixth too small", [](L& law) { law.constant -= 0.05; });
+      .wrong("indefinite where `s` rises instead of falls", [](L& law) { law.factor = -law.factor; })
+      .wrong("near miss: `h` foretold a sixth too large", [](L& law) { law.constant += 0.05; })
+      .wrong("near miss: `h` foretold a sixth too small", [](L& law) { law.constant -= 0.05; });
 }
 
 }  // namespace steadyslide::proofs_checks::vi_definiteness_lost_graded

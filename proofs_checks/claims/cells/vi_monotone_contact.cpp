@@ -143,7 +143,7 @@ Claim claim() {
         return values;
       })
       .wrong_beyond("the smaller load taken for the larger one", within({.growth = Rational(1, 2)}))
-      .wrong_beyond("friction up to s = 5", within({.largest = 5}))
+      .wrong_beyond("friction up to `s = 5`", within({.largest = 5}))
       .wrong_beyond("cells of alternating lengths", within({.cells = Cells::alternating}))
       .wrong_beyond("an indenter that may tilt", tilting)
       .wrong_beyond("near miss: the larger load less by ten times the tolerance",

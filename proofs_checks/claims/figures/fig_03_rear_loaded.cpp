@@ -72,14 +72,14 @@ Claim claim() {
         return values;
       })
       .predicted([](const ContactProblem& p) { return rear_loaded(s_of(p, 0), alpha_of(p)); })
-      .wrong("more at the front: alpha's sign",
+      .wrong("more at the front: `alpha`'s sign",
              [](Values& p, const ContactProblem& c) { p = rear_loaded(s_of(c, 0), -alpha_of(c)); })
       .wrong("half of the load on each half", [](Values& p) { p["share, solved"] = p["share, quadrature"] = 0.5; })
-      .wrong("cos(pi alpha) missing in the share",
+      .wrong("`cos(pi alpha)` missing in the share",
              scaled({"share, solved", "share, quadrature"},
                     [](const ContactProblem& c) { return 1 / cos_pi_alpha<Number>(s_of(c, 0)); }))
       .wrong("the minimum at the centre", [](Values& p) { p["place"] = 0; })
-      .wrong("the minimum at x = alpha", [](Values& p) { p["place"] /= 2; })
+      .wrong("the minimum at `x = alpha`", [](Values& p) { p["place"] /= 2; })
       .near_misses();
 }
 

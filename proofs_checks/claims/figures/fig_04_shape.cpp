@@ -66,11 +66,11 @@ Claim claim() {
         return values;
       })
       .predicted([](const ContactProblem& p) { return shape(alpha_of(p, 0) + alpha_of(p, 1), beta_of(p)); })
-      .wrong("the figures exchanged: beta's sign",
+      .wrong("the figures exchanged: `beta`'s sign",
              [](Values& p, const ContactProblem& c) { p = shape(alpha_of(c, 0) + alpha_of(c, 1), -beta_of(c)); })
-      .wrong("alpha_- - alpha_+ in the middle term",
+      .wrong("`alpha_- - alpha_+` in the middle term",
              [](Values& p, const ContactProblem& c) { p = shape(beta_of(c), beta_of(c)); })
-      .wrong("no extreme ever for f_- > f_+",
+      .wrong("no extreme ever for `f_- > f_+`",
              [](Values& p, const ContactProblem& c) {
                if (beta_of(c) > 0) p = shape(0, beta_of(c));
              })

@@ -16,8 +16,8 @@ struct RigidContact {
 std::string text_of(const RigidContact& c) { return "nu = " + to_string(c.nu) + ", f = " + to_string(c.f); }
 
 CaseList<RigidContact> contacts(const Context& context) {
-  CaseList<RigidContact> list{{},
-                              "29 values of nu and random ones, random f, with seed " + std::to_string(context.seed)};
+  CaseList<RigidContact> list{
+      {}, "29 values of `nu` and random ones, random `f`, with seed " + std::to_string(context.seed)};
   Random random(context.seed, "alpha, friction");
   for (const Rational& nu : poisson_ratios(context, "alpha")) {
     const std::size_t k = list.cases.size();
@@ -49,11 +49,11 @@ Claim claim() {
         using std::abs, std::cos;
         const Rational gamma = c.gamma();
         const Exponent alpha = angle.of(gamma, c.f);
-        findings.decide("alpha >= 0, and alpha = 0 only for f = 0", alpha.sign() == (c.f == 0 ? 0 : 1));
-        findings.decide("alpha lies below the upper end", (angle.supremum - alpha).sign() > 0);
-        findings.decide("alpha increases with f", (angle.of(gamma, c.f + tiny()) - alpha).sign() > 0);
+        findings.decide("`alpha >= 0`, and `alpha = 0` only for `f = 0`", alpha.sign() == (c.f == 0 ? 0 : 1));
+        findings.decide("`alpha` lies below the upper end", (angle.supremum - alpha).sign() > 0);
+        findings.decide("`alpha` increases with `f`", (angle.of(gamma, c.f + tiny()) - alpha).sign() > 0);
         const Exponent gap = angle.supremum - angle.of(gamma, 1 / (gamma * tiny()));
-        findings.decide("alpha comes within 1e-94 of the upper end",
+        findings.decide("`alpha` comes within `1e-94` of the upper end",
                         gap.sign() > 0 && (Exponent::angle(tiny()) - gap).sign() >= 0);
         const R value = to_real<R>(alpha);
         const auto cln = symbolic::cln_alpha(c.nu, c.f, Plane::strain, numeric::digits_served<R> + 5);
@@ -64,10 +64,10 @@ Claim claim() {
       })
       .wrong("the interval [0, 1/4[", &Angle::supremum, Exponent(Rational(1, 4)))
       .wrong("the interval [0, 1[", &Angle::supremum, Exponent(1))
-      .wrong("alpha = arctan(f)/pi, gamma missing", &Angle::coupled, false)
-      .wrong("alpha = -arctan(gamma f)/pi", &Angle::times, -1)
-      .wrong("alpha = 2 arctan(gamma f)/pi", &Angle::times, 2)
-      .wrong("near miss: alpha moved by 1e-94", &Angle::moved, Exponent::angle(tiny()));
+      .wrong("`alpha = arctan(f)/pi`, `gamma` missing", &Angle::coupled, false)
+      .wrong("`alpha = -arctan(gamma f)/pi`", &Angle::times, -1)
+      .wrong("`alpha = 2 arctan(gamma f)/pi`", &Angle::times, 2)
+      .wrong("near miss: `alpha` moved by `1e-94`", &Angle::moved, Exponent::angle(tiny()));
 }
 
 }  // namespace steadyslide::proofs_checks::alpha_range

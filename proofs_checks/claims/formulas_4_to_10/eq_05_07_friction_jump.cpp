@@ -30,7 +30,7 @@ void check_at_the_jump(Findings& findings, const PowerProduct& t, const ContactP
   const PowerForm<R> form = t.at<R>();
   findings.compare("power", R(abs(measured.power - form.powers[1].value)));
   findings.compare<R>("ratio", measured.ratio, form.amplitudes[0] / form.amplitudes[1]);
-  findings.decide("beta has the sign of f_- - f_+", t.exponents[1].sign() == sign(rear - front));
+  findings.decide("`beta` has the sign of `f_- - f_+`", t.exponents[1].sign() == sign(rear - front));
 }
 
 }  // namespace
@@ -47,22 +47,23 @@ Claim claim() {
         check_punch_traction<R>(findings, t, p, count_for(context, {6, 3, 2}));
         check_at_the_jump<R>(findings, t, p);
       })
-      .wrong("beta = alpha_+ - alpha_-", [](PowerProduct& t) { t.exponents[1] = -t.exponents[1]; })
-      .wrong("the printed (1+x)^{1/2} instead of (1+x)^{1/2+alpha_-}", [](PowerProduct& t) { t.exponents[0] = -half; })
+      .wrong("`beta = alpha_+ - alpha_-`", [](PowerProduct& t) { t.exponents[1] = -t.exponents[1]; })
+      .wrong("the printed `(1+x)^{1/2}` instead of `(1+x)^{1/2+alpha_-}`",
+             [](PowerProduct& t) { t.exponents[0] = -half; })
       .wrong("the front's angle at the rear edge",
              [](PowerProduct& t, const ContactProblem& p) { t.exponents[0] = -(half + alpha(p, 1)); })
       .wrong("the rear's angle at the front edge",
              [](PowerProduct& t, const ContactProblem& p) { t.exponents[2] = -(half - alpha(p, 0)); })
-      .wrong("alpha_- and alpha_+ exchanged everywhere in the powers",
+      .wrong("`alpha_-` and `alpha_+` exchanged everywhere in the powers",
              [](PowerProduct& t, const ContactProblem& p) {
                t.exponents = punch_powers({alpha(p, 1), alpha(p, 0)});
              })
-      .wrong("1/sqrt(1+gamma^2 f^2) of the wrong side", [](PowerProduct& t) { std::ranges::reverse(t.amplitudes); })
-      .wrong("1/sqrt(1+gamma^2 f^2) missing",
+      .wrong("`1/sqrt(1+gamma^2 f^2)` of the wrong side", [](PowerProduct& t) { std::ranges::reverse(t.amplitudes); })
+      .wrong("`1/sqrt(1+gamma^2 f^2)` missing",
              [](PowerProduct& t, const ContactProblem& p) {
                std::ranges::fill(t.amplitudes, Number(-to_real<Number>(p.load()) / numeric::pi<Number>()));
              })
-      .near_miss("beta", [](PowerProduct& t, const Number& step) { t.move_power(1, step); })
+      .near_miss("`beta`", [](PowerProduct& t, const Number& step) { t.move_power(1, step); })
       .near_miss("the amplitude in front", [](PowerProduct& t, const Number& step) { t.amplitudes[1] *= 1 + step; });
 }
 

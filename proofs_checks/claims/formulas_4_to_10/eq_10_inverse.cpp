@@ -64,10 +64,10 @@ Claim claim() {
       .effective_where([](const LinearSlope& c) { return c.s() != 0; })
       .says([](const LinearSlope& c) { return InverseFormula::of(c.s()); })
       .checked([]<Real R>(auto&... of) { check_inverse<R>(of...); })
-      .wrong("the printed (1+x)^{1/2} instead of (1+x)^{1/2+alpha}, in both places", &InverseFormula::rear, -half)
-      .wrong("alpha of the other sign in the weight", [](InverseFormula& l) { std::swap(l.rear, l.front); })
+      .wrong("the printed `(1+x)^{1/2}` instead of `(1+x)^{1/2+alpha}`, in both places", &InverseFormula::rear, -half)
+      .wrong("`alpha` of the other sign in the weight", [](InverseFormula& l) { std::swap(l.rear, l.front); })
       .wrong("the sign of the local term", [](InverseFormula& l) { l.local *= -1; })
-      .wrong("1/(1+s^2) missing before the integral", &InverseFormula::integral, 1)
+      .wrong("`1/(1+s^2)` missing before the integral", &InverseFormula::integral, 1)
       .near_miss("the local term", &InverseFormula::local)
       .near_miss("the integral", &InverseFormula::integral);
 }

@@ -57,7 +57,7 @@ Claim claim() {
              })
       .wrong("one amplitude on all panels",
              [](PowerProduct& t) { std::ranges::fill(t.amplitudes, Number(t.amplitudes[0])); })
-      .wrong("the other direction of sliding: alpha of the other sign",
+      .wrong("the other direction of sliding: `alpha` of the other sign",
              [](PowerProduct& t, const ContactProblem& p) {
                std::vector<Exponent> alpha = angles(p);
                for (Exponent& angle : alpha) angle = -angle;

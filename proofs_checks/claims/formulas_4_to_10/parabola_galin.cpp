@@ -83,7 +83,7 @@ Claim claim() {
         check_parabola_by_cln<R>(findings, t, p);
       })
       .wrong("the zone shifted to the front", [](Galin& t) { t.left_end = -(t.left_end + t.lengths[0]); })
-      .wrong("1/4 + alpha^2 in the half-width",
+      .wrong("`1/4 + alpha^2` in the half-width",
              [](Galin& t, const ContactProblem& p) {
                const auto angle = to_real<Number>(alpha(p, 0));
                const Number ratio = (1 - 4 * angle * angle) / (1 + 4 * angle * angle);
@@ -91,13 +91,13 @@ Claim claim() {
              })
       .wrong("the powers of both free ends exchanged", [](Galin& t) { std::ranges::reverse(t.exponents); })
       .wrong(
-          "pi missing in the half-width",
+          "`pi` missing in the half-width",
           [](Galin& t, const ContactProblem& p) { put_half_width(t, t.half_width * sqrt(numeric::pi<Number>()), p); })
-      .wrong("cos(pi alpha) missing",
+      .wrong("`cos(pi alpha)` missing",
              [](Galin& t, const ContactProblem& p) { t.scale(1 / cos_pi_alpha<Number>(p.coupled_friction(0))); })
-      .wrong("the largest pressure at -2 alpha a, the middle of the zone", [](Galin& t) { t.peak /= 2; })
-      .wrong("the largest pressure at +4 alpha a", [](Galin& t) { t.peak *= -1; })
-      .wrong("P/(4 pi a^2 (1/4-alpha^2)) for the printed factor", [](Galin& t) { t.factor /= 2; })
+      .wrong("the largest pressure at `-2 alpha a`, the middle of the zone", [](Galin& t) { t.peak /= 2; })
+      .wrong("the largest pressure at `+4 alpha a`", [](Galin& t) { t.peak *= -1; })
+      .wrong("`P/(4 pi a^2 (1/4-alpha^2))` for the printed factor", [](Galin& t) { t.factor /= 2; })
       .near_miss("the half-width",
                  [](Galin& t, const Number& step) {
                    t.left_end *= 1 + step;

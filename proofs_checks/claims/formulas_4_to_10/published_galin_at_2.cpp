@@ -31,7 +31,7 @@ void check_integral(Findings& findings, const CauchyIntegral& integral, const Pu
     findings.skip("gsl");
   }
   findings.decide(
-      "arctan(1)/pi = 1/4: the powers at the edges are -3/4 and -1/4",
+      "`arctan(1)/pi = 1/4`: the powers at the edges are -3/4 and -1/4",
       Exponent::angle(1) == Exponent(Rational(1, 4)) &&
           integral.exponents == std::vector<Exponent>{-(half + Exponent::angle(1)), -(half - Exponent::angle(1))});
 }
@@ -47,7 +47,8 @@ Claim claim() {
             -numeric::pi<Number>() * sqrt(Number(2)) / pow(Number(3), Number(3) / 4)};
       })
       .checked([]<Real R>(auto&... of) { check_integral<R>(of...); })
-      .wrong("the edges exchanged: ((1-x)^3 (1+x))^{1/4}", [](CauchyIntegral& i) { std::ranges::reverse(i.exponents); })
+      .wrong("the edges exchanged: `((1-x)^3 (1+x))^{1/4}`",
+             [](CauchyIntegral& i) { std::ranges::reverse(i.exponents); })
       .wrong("the value with the other sign", [](CauchyIntegral& i) { i.value *= -1; })
       .wrong("3^{1/4} for 3^{3/4}", [](CauchyIntegral& i) { i.value *= sqrt(Number(3)); })
       .wrong("wrong in the fifth digit, as a default quadrature has it",

@@ -116,19 +116,19 @@ Claim claim() {
       .checked([]<Real R>(Findings& findings, const SurfaceSlopes& formula, const Body& body, const Context& context) {
         check_slopes<R>(findings, formula, body, context.quick);
       })
-      .wrong("gamma's sign in u_n'", [](SurfaceSlopes& u) { u.shear *= -1; })
-      .wrong("gamma's sign in u_t'", [](SurfaceSlopes& u) { u.pressure *= -1; })
-      .wrong("gamma's sign in both", [](SurfaceSlopes& u) { std::swap(u.shear, u.pressure); })
-      .wrong("gamma of plane stress, (1-nu)/2",
+      .wrong("`gamma`'s sign in `u_n'`", [](SurfaceSlopes& u) { u.shear *= -1; })
+      .wrong("`gamma`'s sign in `u_t'`", [](SurfaceSlopes& u) { u.pressure *= -1; })
+      .wrong("`gamma`'s sign in both", [](SurfaceSlopes& u) { std::swap(u.shear, u.pressure); })
+      .wrong("`gamma` of plane stress, `(1-nu)/2`",
              [](SurfaceSlopes& u, const Body& body) {
                u.pressure = to_real<Number>((1 - body.solid.poisson()) / 2);
                u.shear = -u.pressure;
              })
-      .wrong("1/pi missing", [](SurfaceSlopes& u) { u.hilbert *= numeric::pi<Number>(); })
-      .wrong("the principal value of 1/(x-x')", [](SurfaceSlopes& u) { u.hilbert *= -1; })
-      .wrong("near miss: gamma in u_n' moved by a hundred times the tolerance",
+      .wrong("`1/pi` missing", [](SurfaceSlopes& u) { u.hilbert *= numeric::pi<Number>(); })
+      .wrong("the principal value of `1/(x-x')`", [](SurfaceSlopes& u) { u.hilbert *= -1; })
+      .wrong("near miss: `gamma` in `u_n'` moved by a hundred times the tolerance",
              [](SurfaceSlopes& u) { u.shear += Number("1e-43"); })
-      .wrong("near miss: 1/pi moved by a hundred times the tolerance",
+      .wrong("near miss: `1/pi` moved by a hundred times the tolerance",
              [](SurfaceSlopes& u) { u.hilbert *= 1 + Number("1e-43"); });
 }
 

@@ -60,8 +60,8 @@ void check_reduction(Findings& findings, const PiecewiseS& s, const Sheared& c) 
     findings.compare("equation", R(abs(terms.sum().value - slope) / size));
   }
   for (std::size_t i = 0; i < s.size(); ++i) {
-    findings.decide("-gamma t_t = s t_n", -elasticity.gamma() * c.problem.shear_ratio(i) == s[i]);
-    findings.decide("s is the model's", c.problem.coupled_friction(i) == s[i]);
+    findings.decide("`-gamma t_t = s t_n`", -elasticity.gamma() * c.problem.shear_ratio(i) == s[i]);
+    findings.decide("`s` is the model's", c.problem.coupled_friction(i) == s[i]);
   }
 }
 
@@ -78,12 +78,12 @@ Claim claim() {
         return s;
       })
       .checked([]<Real R>(auto&... of) { check_reduction<R>(of...); })
-      .wrong("s = -gamma f", [](PiecewiseS& s) { std::ranges::for_each(s, [](Rational& value) { value = -value; }); })
-      .wrong("gamma missing", [](PiecewiseS& s, const Sheared& c) { s = c.problem.friction().values(); })
+      .wrong("`s = -gamma f`", [](PiecewiseS& s) { std::ranges::for_each(s, [](Rational& value) { value = -value; }); })
+      .wrong("`gamma` missing", [](PiecewiseS& s, const Sheared& c) { s = c.problem.friction().values(); })
       .wrong("the direction of sliding forgotten",
              [](PiecewiseS& s) { std::ranges::for_each(s, [](Rational& value) { value = abs(value); }); })
-      .wrong("f taken from the other end", [](PiecewiseS& s) { std::ranges::reverse(s); })
-      .wrong("near miss: s moved by a hundred times the tolerance", [](PiecewiseS& s) {
+      .wrong("`f` taken from the other end", [](PiecewiseS& s) { std::ranges::reverse(s); })
+      .wrong("near miss: `s` moved by a hundred times the tolerance", [](PiecewiseS& s) {
         std::ranges::for_each(s, [](Rational& value) { value += parse_rational("1e-43"); });
       });
 }

@@ -150,8 +150,8 @@ int pulling_sides(const TractionRepresentation<R>& form, const R& factor) {
 template <Real R>
 void examine(Findings& findings, const ContactProblem& problem, const Candidate& candidate) {
   using std::abs, std::max;
-  const Quantity limits{"t > 0 in the limit at an end, a jump or a wedge (sides)",
-                        {"t as near as 10^-300 in double, 10^-1000000 with more digits", "0"},
+  const Quantity limits{"`t > 0` in the limit at an end, a jump or a wedge (sides)",
+                        {"`t` as near as 10^-300 in double, 10^-1000000 with more digits", "0"},
                         0};
   const auto held = hold<R>(problem, candidate);
   const TractionRepresentation<R>& form = *held->form;
@@ -220,7 +220,7 @@ Claim claim() {
              Which::too_short)
       .wrong("edges beyond the contact: equation and load right, but there is tension", &Candidate::which,
              Which::too_long)
-      .wrong("full contact over a notch: equation and load right, but the corner pulls on 1e-11 of it",
+      .wrong("full contact over a notch: equation and load right, but the corner pulls on `1e-11` of it",
              &Candidate::which, Which::full_contact)
       .wrong("a problem without solution among the others", &Candidate::which, Which::unsolved)
       .wrong("the traction of another load", &Candidate::factor, Number(11) / 10)

@@ -8,7 +8,7 @@ Claim claim() {
                    {.scale = factor, .shift = Rational(1, 7), .height = factor, .load = factor, .gap = factor})
       .wrong("heights kept", &Law::height, 1)
       .wrong("load kept", &Law::load, 1)
-      .wrong("the traction divided by k", &Law::traction, 1 / factor)
+      .wrong("the traction divided by `k`", &Law::traction, 1 / factor)
       .wrong("the gap kept", &Law::gap, 1)
       .wrong("near miss: the load moved by ten times the tolerance", &Law::missed, &Law::load)
       .near_miss("the traction on cells", [](Law& l, const Number&) { l.missed_on_cells = true; });

@@ -109,18 +109,18 @@ Claim claim() {
       .effective_where(has_friction)
       .says(jump_of)
       .checked([]<Real R>(auto&... of) { check_jump<R>(of...); })
-      .wrong("G = (s+i)/(s-i)",
+      .wrong("`G = (s+i)/(s-i)`",
              [](PlemeljJump& jump) { std::ranges::for_each(jump.ratios, [](auto& g) { g.im *= -1; }); })
-      .wrong("G = -(s-i)/(s+i)",
+      .wrong("`G = -(s-i)/(s+i)`",
              [](PlemeljJump& jump) { std::ranges::for_each(jump.ratios, [](auto& g) { g = Number(-1) * g; }); })
       .wrong("the powers of both edges exchanged",
              [](PlemeljJump& jump) { std::swap(jump.exponents.front(), jump.exponents.back()); })
       .wrong("the exponent of one jump missing", [](PlemeljJump& jump) { jump.exponents[1] = Exponent(0); })
-      .wrong("Phi = P Y/(pi i)", [](PlemeljJump& jump) { jump.potential *= 2; })
-      .wrong("cos(pi alpha) missing in t",
+      .wrong("`Phi = P Y/(pi i)`", [](PlemeljJump& jump) { jump.potential *= 2; })
+      .wrong("`cos(pi alpha)` missing in `t`",
              [](PlemeljJump& jump) { std::ranges::fill(jump.amplitudes, Number(-2 * jump.potential)); })
       .near_miss("one jump's exponent", [](PlemeljJump& jump, const Number& step) { jump.move_power(1, step); })
-      .near_miss("Phi", &PlemeljJump::potential);
+      .near_miss("`Phi`", &PlemeljJump::potential);
 }
 
 }  // namespace steadyslide::proofs_checks::plemelj

@@ -114,7 +114,8 @@ Claim claim() {
                p["energy"] *= plane_strain_modulus(problem) / young;
              })
       .wrong("the surface sinks away from the contact", scaled({"rise"}, -1))
-      .wrong("errors like 1/R^2", replaced({{"approach of the rise", Order{2}}, {"approach of the energy", Order{2}}}))
+      .wrong("errors like `1/R^2`",
+             replaced({{"approach of the rise", Order{2}}, {"approach of the energy", Order{2}}}))
       .near_misses();
 }
 

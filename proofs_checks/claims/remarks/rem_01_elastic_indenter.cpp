@@ -77,9 +77,9 @@ Claim claim() {
                 {"rigid compliance", to_real<Number>(rigid.compliance())}};
       })
       .predicted([](const TwoBodies& c) { return constants(c, dundurs, sum_of_compliances); })
-      .wrong("the bodies exchanged in gamma",
+      .wrong("the bodies exchanged in `gamma`",
              with([](auto& m1, auto& k1, auto& m2, auto& k2) { return dundurs(m2, k2, m1, k1); }, sum_of_compliances))
-      .wrong("kappa + 1 in gamma's numerator",
+      .wrong("`kappa + 1` in `gamma`'s numerator",
              with([](auto& m1, auto& k1, auto& m2,
                      auto& k2) { return (m2 * (k1 + 1) - m1 * (k2 + 1)) / (m2 * (k1 + 1) + m1 * (k2 + 1)); },
                   sum_of_compliances))

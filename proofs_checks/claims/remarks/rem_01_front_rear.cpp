@@ -109,7 +109,7 @@ Claim claim() {
       .precision(Precision::at_least_fifty)
       .measured([]<Real R>(const SlidingContact& c) { return measured<R>(c); })
       .predicted(predicted)
-      .wrong("they differ whenever there is friction, gamma = 0 included",
+      .wrong("they differ whenever there is friction, `gamma = 0` included",
              [](Values& p, const SlidingContact& c) {
                p.set({{"ends differ", c.f_rear != 0}, {"jump is singular", c.has_jump()}});
              })
@@ -118,7 +118,7 @@ Claim claim() {
                p.set({{"ends differ", c.gamma != 0}, {"jump is singular", c.gamma != 0}});
              })
       .wrong("they never differ", replaced({{"ends differ", false}, {"jump is singular", false}}))
-      .wrong("the front is the stronger one for gamma f > 0",
+      .wrong("the front is the stronger one for `gamma f > 0`",
              [](Values& p, const SlidingContact& c) { p.set("rear is stronger", c.gamma * c.f_rear < 0); })
       .near_misses();
 }

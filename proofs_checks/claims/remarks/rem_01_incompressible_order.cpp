@@ -35,7 +35,7 @@ CaseList<Limit> limits(const Context& context) {
                                   {"flat punch, f jumps", {Rational(1, 2), 2}, flat},
                                   {"flat punch, nu -> 1/2", {2}, flat, true},
                                   {"wedge at a friction jump", {2, Rational(1, 2)}, wedge}},
-                                 2, "problems, solved at four values of gamma");
+                                 2, "problems, solved at four values of `gamma`");
 }
 
 template <Real R>
@@ -68,7 +68,7 @@ Values measured(const Limit& c) {
   }
   const Rate rate = fitted_rate(levels);
   Values values{{"order", Order{rate.value, rate.error_bar,
-                                c.name + ", relative, at three fixed points, gamma from 1e-4 to 1e-24"}}};
+                                c.name + ", relative, at three fixed points, `gamma` from `1e-4` to `1e-24`"}}};
   if (c.name == "flat punch") values.add({"slope", slope});
   if (c.name == "parabola") values.add({"shift", shift});
   return values;
@@ -90,12 +90,12 @@ Claim claim() {
       .precision(Precision::at_least_fifty)
       .measured([]<Real R>(const Limit& c) { return measured<R>(c); })
       .predicted(predicted)
-      .wrong("a difference of the order gamma^2", replaced({{"order", Order{2}}}))
-      .wrong("a difference of the order sqrt(gamma)", replaced({{"order", Order{0.5}}}))
+      .wrong("a difference of the order `gamma^2`", replaced({{"order", Order{2}}}))
+      .wrong("a difference of the order `sqrt(gamma)`", replaced({{"order", Order{0.5}}}))
       .wrong("the sign of the first order", scaled({"slope", "shift"}, -1))
-      .wrong("the first order without f",
+      .wrong("the first order without `f`",
              scaled({"slope", "shift"}, [](const Limit& c) { return to_real<Number>(1 / c.f.front()); }))
-      .wrong("the first order without 1/pi", scaled({"slope", "shift"}, numeric::pi<Number>()))
+      .wrong("the first order without `1/pi`", scaled({"slope", "shift"}, numeric::pi<Number>()))
       .near_misses();
 }
 

@@ -32,7 +32,7 @@ CaseList<Neglect> parabolas(const Context& context) {
   }
   const std::string parabolas = std::to_string(all.size());
   all.insert(all.end(), {{What::limit}, {What::punch, Rational(2, 5)}, {What::jump, Rational(2, 5)}});
-  return {all, parabolas + " parabolas, solved, three with s from 1e-4 to 1e-8, a punch and a friction jump"};
+  return {all, parabolas + " parabolas, solved, three with `s` from `1e-4` to `1e-8`, a punch and a friction jump"};
 }
 
 const Indenter parabola(-2, {{2, Polynomial({0, 0, Rational(1, 2)})}});
@@ -75,7 +75,7 @@ Values in_the_limit(const Contact<R>& zero) {
   }
   const auto order = [](const std::vector<Level>& levels) {
     const Rate rate = fitted_rate(levels);
-    return Order{rate.value, rate.error_bar, "s from 1e-4 to 1e-8"};
+    return Order{rate.value, rate.error_bar, "`s` from `1e-4` to `1e-8`"};
   };
   const double over_square = peaks.back().error * peaks.back().cells * peaks.back().cells;
   return {{"loss", order(peaks)}, {"shift", order(centres)}, {"loss over s^2", over_square}};

@@ -78,7 +78,7 @@ Claim claim() {
       .precision(Precision::in_double)
       .measured(counted)
       .predicted([](const Edges& c) { return predicted(c, {}); })
-      .wrong("q of degree -S", with({.degree_of_q = 0}))
+      .wrong("`q` of degree `-S`", with({.degree_of_q = 0}))
       .wrong("one moment too many", with({.moments = 1}))
       .wrong("a condition for every component, not every gap", with({.gaps = 0}))
       .near_misses();

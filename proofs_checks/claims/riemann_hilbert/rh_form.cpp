@@ -89,13 +89,13 @@ Claim claim() {
         const TrialForm<R> tried(trial);
         check_surface(findings, surface_of(tried.form(), terms), context.quick ? 1 : 2);
       })
-      .wrong("eps of the other sign on one component",
+      .wrong("`eps` of the other sign on one component",
              [](FormTerms& terms) {
                std::size_t k = 0;
                while (!terms.is_contact(k)) ++k;
                for (; k < terms.eps.size() && terms.is_contact(k); ++k) terms.eps[k] = -terms.eps[k];
              })
-      .wrong("alpha of the other sign in the power of the first end",
+      .wrong("`alpha` of the other sign in the power of the first end",
              [](FormTerms& terms) {
                std::size_t j = 0;
                while (!terms.is_end(j)) ++j;
@@ -103,7 +103,7 @@ Claim claim() {
                const Exponent base(Rational(terms.form().set().point(j).vanishes ? 1 : -1, 2));
                terms.powers[j] = base + base - terms.form().exponent(j);
              })
-      .wrong("cos(pi alpha) left out", [](FormTerms& terms) { std::ranges::fill(terms.cosine, 1); })
+      .wrong("`cos(pi alpha)` left out", [](FormTerms& terms) { std::ranges::fill(terms.cosine, 1); })
       .wrong("the power of the jump left out",
              [](FormTerms& terms) {
                for (std::size_t j = 0; j < terms.form().set().points().size(); ++j) {

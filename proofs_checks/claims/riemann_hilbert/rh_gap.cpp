@@ -140,7 +140,7 @@ Claim claim() {
       })
       .wrong("the integral with the other sign", &GapTerms::scale, -1)
       .wrong("half of the integral", &GapTerms::scale, 0.5)
-      .wrong("|Y| instead of Y", &GapTerms::unsigned_y, true)
+      .wrong("`|Y|` instead of `Y`", &GapTerms::unsigned_y, true)
       .wrong("steps not counted", &GapTerms::steps, 0)
       .wrong("steps counted with the other sign", &GapTerms::steps, -1)
       .wrong("the polynomial at infinity forgotten", &GapTerms::excess, false)

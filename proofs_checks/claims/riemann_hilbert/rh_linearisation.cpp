@@ -156,12 +156,12 @@ Claim claim() {
         check_tilt(findings, said, tried);
         check_ends(findings, said, tried);
       })
-      .wrong("the residue -p B(e)", &Derivatives::residue, -1)
-      .wrong("the residue B(e), p missing", &Derivatives::power, Power::missing)
-      .wrong("alpha of the other sign in the residue's p", &Derivatives::power, Power::other_sign)
+      .wrong("the residue `-p B(e)`", &Derivatives::residue, -1)
+      .wrong("the residue `B(e)`, `p` missing", &Derivatives::power, Power::missing)
+      .wrong("`alpha` of the other sign in the residue's `p`", &Derivatives::power, Power::other_sign)
       .wrong("[q/(z-e)]_poly left out", &Derivatives::polynomial, 0)
-      .wrong("[q/(z-e)]_poly without 1/pi", &Derivatives::polynomial, numeric::pi<Number>())
-      .wrong("Y [1/Y]_poly left out", &Derivatives::tilt, 0)
+      .wrong("`[q/(z-e)]_poly` without `1/pi`", &Derivatives::polynomial, numeric::pi<Number>())
+      .wrong("`Y [1/Y]_poly` left out", &Derivatives::tilt, 0)
       .near_miss("the residue", &Derivatives::residue);
 }
 

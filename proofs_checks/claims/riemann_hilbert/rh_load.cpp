@@ -55,13 +55,13 @@ Claim claim() {
       .cases(trials("rh-load", {20, 2, 1}))
       .measured([]<Real R>(const Trial& trial) { return by_quadrature<R>(trial); })
       .predicted([]<Real R>(const Trial& trial) { return at_infinity<R>(trial); })
-      .wrong("Y's expansion cut after its first term",
+      .wrong("`Y`'s expansion cut after its first term",
              [](Values& p, const Trial& trial) {
                const Values cut = at_infinity<double>(trial, true);
                p.set("moment", *cut.find("moment"));
              })
-      .wrong("int t = -[z^-1], pi missing", scaled({"load", "given"}, 1 / numeric::pi<Number>()))
-      .wrong("int x t = +pi [z^-2]", scaled({"moment", "moment, solver"}, -1))
+      .wrong("`int t = -[z^-1]`, `pi` missing", scaled({"load", "given"}, 1 / numeric::pi<Number>()))
+      .wrong("`int x t = +pi [z^-2]`", scaled({"moment", "moment, solver"}, -1))
       .near_misses();
 }
 

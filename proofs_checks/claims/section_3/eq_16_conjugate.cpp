@@ -71,13 +71,13 @@ void check(Findings& findings, const Conjugate& conjugate, const Pair& pair) {
   const Rational far = largest(c, psi, 1000);
   findings.decide("the supremum is finite where (16) says so", (near == far) == told.has_value());
   if (told) {
-    findings.decide("the supremum of <<-t_hat, u_hat>> - phi(u_hat) is -<<psi, t_hat>>", near == *told);
+    findings.decide("the supremum of `<<-t_hat, u_hat>> - phi(u_hat)` is `-<<psi, t_hat>>`", near == *told);
   } else {
     // Already there for w = 0, and growing with the box.
     const Rational base = -dot(c.q, psi);
-    findings.decide("outside K_0' it grows with the size of u_hat", far - base == 1000 * (near - base));
+    findings.decide("outside `K_0'` it grows with the size of `u_hat`", far - base == 1000 * (near - base));
   }
-  findings.decide("phi is the conjugate of its conjugate", conjugate_of(conjugate, pair) == phi_on_nodes(c, c.v));
+  findings.decide("`phi` is the conjugate of its conjugate", conjugate_of(conjugate, pair) == phi_on_nodes(c, c.v));
 }
 
 }  // namespace
@@ -94,13 +94,13 @@ Claim claim() {
       .checked(check)
       .wrong("+<<psi, t_hat>>", times(-1))
       .wrong("without <<psi, t_hat>>", times(0))
-      .wrong("without the indicator of K_0'", on([](const ContactForces&) { return true; }))
-      .wrong("t_hat >= P t_0 in K_0'",
+      .wrong("without the indicator of `K_0'`", on([](const ContactForces&) { return true; }))
+      .wrong("`t_hat >= P t_0` in `K_0'`",
              on([](const ContactForces& c) { return c.all_nodes([&](std::size_t i) { return c.force(i) <= 0; }); }))
-      .wrong("t_hat >= 0 in K_0' as well", on([](const ContactForces& c) {
+      .wrong("`t_hat >= 0` in `K_0'` as well", on([](const ContactForces& c) {
                return c.is_admissible() && c.all_nodes([&](std::size_t i) { return c.q[i] >= 0; });
              }))
-      .wrong("near miss: <<psi, t_hat>> moved by 1e-60", times(1 + parse_rational("1e-60")));
+      .wrong("near miss: `<<psi, t_hat>>` moved by `1e-60`", times(1 + parse_rational("1e-60")));
 }
 
 }  // namespace steadyslide::proofs_checks::eq_16_conjugate

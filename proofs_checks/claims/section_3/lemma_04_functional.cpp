@@ -50,7 +50,7 @@ CaseList<Functions> functions(const Context& context) {
                      random.between(-3, 3),
                      random_cubic(random)};
   };
-  return random_cases(context, "lemma-04-functional", 12, 2, "random s of both signs, polygons and cubics", make);
+  return random_cases(context, "lemma-04-functional", 12, 2, "random `s` of both signs, polygons and cubics", make);
 }
 
 /// phi(psi + v) = size (reference - <t_0, paired>), t_0 of the friction s.
@@ -156,11 +156,11 @@ void check_spikes(Findings& findings, const Functional& form, const Rational& s,
     phis.push_back({l, std::abs(with - limit)});
   }
   const Rate vanishing = fitted_rate(energies);
-  findings.measure({"energy of spikes of height 1 against their sharpness L", vanishing.value, vanishing.error_bar, 1,
-                    0.02, "at most pi/L"});
+  findings.measure({"energy of spikes of height 1 against their sharpness `L`", vanishing.value, vanishing.error_bar, 1,
+                    0.02, "at most `pi/L`"});
   const Rate jump = fitted_rate(phis);
   findings.measure(
-      {"phi(u_hat + spike) to phi(u_hat) + P", jump.value, jump.error_bar, 1, 0.02, "strictly above phi(u_hat)"});
+      {"`phi(u_hat + spike)` to `phi(u_hat) + P`", jump.value, jump.error_bar, 1, 0.02, "strictly above `phi(u_hat)`"});
 }
 
 }  // namespace
@@ -179,18 +179,18 @@ Claim claim() {
         check_pairings<R>(findings, c, context.quick);
         if (c.has_spikes()) check_spikes(findings, form, c.s, to_real<double>(c.load));
       })
-      .wrong("the printed u_bar_n instead of u_hat in the second line of (13)",
+      .wrong("the printed `u_bar_n` instead of `u_hat` in the second line of (13)",
              [](Functional& form, const Functions& c) { form.paired = c.given; })
       .wrong("ess inf instead of ess sup", with_reference([](const Function& v) {
                return Number(-supremum<Number>(Function::combined(-1, v, 0, v)));
              }))
       .wrong("the value at 0 instead of ess sup",
              with_reference([](const Function& v) { return to_real<Number>(v.at(0)); }))
-      .wrong("-P t_0 instead of P t_0", [](Functional& form) { form.size *= -1; })
-      .wrong("the t_0 of -alpha", [](Functional& form) { form.s *= -1; })
-      .wrong("phi continuous: phi(u_hat + w_L) -> phi(u_hat)", &Functional::spike, 0)
-      .wrong("phi upper, not lower semicontinuous: phi(u_hat + w_L) -> phi(u_hat) - P", &Functional::spike, -1)
-      .near_miss("phi", &Functional::size);
+      .wrong("`-P t_0` instead of `P t_0`", [](Functional& form) { form.size *= -1; })
+      .wrong("the `t_0` of `-alpha`", [](Functional& form) { form.s *= -1; })
+      .wrong("`phi` continuous: `phi(u_hat + w_L) -> phi(u_hat)`", &Functional::spike, 0)
+      .wrong("`phi` upper, not lower semicontinuous: `phi(u_hat + w_L) -> phi(u_hat) - P`", &Functional::spike, -1)
+      .near_miss("`phi`", &Functional::size);
 }
 
 }  // namespace steadyslide::proofs_checks::lemma_04_functional

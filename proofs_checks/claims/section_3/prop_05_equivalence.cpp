@@ -64,7 +64,7 @@ void check_equivalence(Findings& findings, const Conditions& conditions, const P
   const bool truth = holds_11(c, conditions);
   findings.decide("(11) where it was built to hold, and not elsewhere",
                   !pair.is_solution || truth == *pair.is_solution);
-  findings.decide("(11) <=> (i) by the corners of K_0'", truth == holds_i_by_corners(c, conditions));
+  findings.decide("(11) <=> (i) by the corners of `K_0'`", truth == holds_i_by_corners(c, conditions));
   findings.decide("(11) <=> (i) by exchanges of force", truth == holds_i_by_exchanges(c));
   findings.decide("(11) <=> (ii) by the proof's test functions", truth == holds_ii_by_test_functions(c, conditions));
   findings.decide("(11) <=> (ii) by directions", truth == holds_ii_by_subsets(c, conditions));
@@ -154,13 +154,13 @@ Claim claim() {
         }
       })
       .wrong("the printed test function without the minus sign", &Equivalence::test_function, 1)
-      .wrong("-C instead of C in (14)", &Equivalence::constant, -1)
+      .wrong("`-C` instead of `C` in (14)", &Equivalence::constant, -1)
       .wrong("(11) without the product", conditions(&C::complementary, false))
-      .wrong("(11) without t_n <= 0", conditions(&C::compressive, false))
+      .wrong("(11) without `t_n <= 0`", conditions(&C::compressive, false))
       .wrong("(i) with <= 0", conditions(&C::first, -1))
-      .wrong("(i) for all t_hat of zero mean", conditions(&C::over_all, true))
-      .wrong("(ii) without phi", conditions(&C::functional, 0))
-      .wrong("(ii) with -phi", conditions(&C::functional, -1))
+      .wrong("(i) for all `t_hat` of zero mean", conditions(&C::over_all, true))
+      .wrong("(ii) without `phi`", conditions(&C::functional, 0))
+      .wrong("(ii) with `-phi`", conditions(&C::functional, -1))
       .near_miss("a gap that counts as contact", [](Equivalence& said, const Number& step) {
         said.conditions.contact_within = Rational(static_cast<double>(step));
       });

@@ -23,7 +23,7 @@ struct Case {
 CaseList<Case> cases(const Context& context) {
   constexpr std::array<Cells, 3> kinds{Cells::equal, Cells::unequal, Cells::alternating};
   Random random(context.seed, "prop-06-problem-I0");
-  CaseList<Case> list{{}, "random s of both signs, profiles, loads and meshes, seed " + std::to_string(context.seed)};
+  CaseList<Case> list{{}, "random `s` of both signs, profiles, loads and meshes, seed " + std::to_string(context.seed)};
   for (std::size_t k = 0; k < (context.quick ? 8 : 80); ++k) {
     const CellFrictionSteps steps{{random.between(0, k % 3 == 0 ? 3 : 1) * (k % 2 == 0 ? 1 : -1)}, {}};
     const Polynomial profile = random_profile(random, k % 2 == 0);
@@ -116,8 +116,8 @@ void check_convergence(Findings& findings, KnownMoments& known, const OneSolutio
   const std::vector<Level> levels =
       levels_of(first, 7, to_real<double>(c.load), cells, [&](int) -> const Moments& { return exact; });
   const Rate rate = fitted_rate(levels);
-  findings.measure({"t_n on N cells to the Riemann-Hilbert solution, " + c.name, rate.value, rate.error_bar, said.rate,
-                    quick ? 0.3 : 0.15,
+  findings.measure({"`t_n` on `N` cells to the Riemann-Hilbert solution, " + c.name, rate.value, rate.error_bar,
+                    said.rate, quick ? 0.3 : 0.15,
                     "error " + short_text(levels.back().error) + " with " +
                         std::to_string(std::lround(levels.back().cells)) + " cells"});
 }
@@ -147,7 +147,7 @@ Claim claim() {
       })
       .wrong("the friction reversed in the Riemann-Hilbert solution", &OneSolution::friction, -1)
       .wrong("twice the load", interior(2, 1))
-      .wrong("-psi instead of psi", interior(1, -1))
+      .wrong("`-psi` instead of `psi`", interior(1, -1))
       .wrong("a falling jump of the friction: three solutions", of_cells([](OneSolution& said) {
                said.unique = OnCells{problem_with_three_solutions(), all_contact_sets(8)};
                said.interior = said.unique->on_cells.problem;

@@ -38,7 +38,7 @@ CaseList<Case> cases(const Context& context) {
     return c;
   };
   return random_cases(context, "prop-07-problem-I", 60, 6,
-                      "random s of both signs, profiles and loads, 8 to 40 nodes, three random sets each", make);
+                      "random `s` of both signs, profiles and loads, 8 to 40 nodes, three random sets each", make);
 }
 
 /// Problem I, to be solved by interior points, and its inequality.
@@ -82,12 +82,12 @@ Claim claim() {
       .cases(cases)
       .precision(Precision::in_double)
       .checked(check)
-      .wrong("the friction's sign reversed in L", [](ProblemI& form) { form.problem.inverse.friction = -1; })
-      .wrong("L with the printed (1+x)^{1/2}", [](ProblemI& form) { form.problem.inverse.printed = true; })
+      .wrong("the friction's sign reversed in `L`", [](ProblemI& form) { form.problem.inverse.friction = -1; })
+      .wrong("`L` with the printed `(1+x)^{1/2}`", [](ProblemI& form) { form.problem.inverse.printed = true; })
       .wrong("twice the load", [](ProblemI& form) { form.problem.load = 2; })
-      .wrong("-psi instead of psi", [](ProblemI& form) { form.problem.profile = -1; })
-      .wrong("the t_0 of -alpha in phi", [](ProblemI& form) { form.problem.other_angle = true; })
-      .wrong("the inequality without phi", &ProblemI::functional, 0)
+      .wrong("`-psi` instead of `psi`", [](ProblemI& form) { form.problem.profile = -1; })
+      .wrong("the `t_0` of `-alpha` in `phi`", [](ProblemI& form) { form.problem.other_angle = true; })
+      .wrong("the inequality without `phi`", &ProblemI::functional, 0)
       .wrong("near miss: forces moved by ten times the tolerance", [](ProblemI& form) { form.forces += 10 * allowed; });
 }
 

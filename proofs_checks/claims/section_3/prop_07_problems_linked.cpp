@@ -19,7 +19,7 @@ struct Case {
 
 CaseList<Case> cases(const Context& context) {
   Random random(context.seed, "prop-07-problems-linked");
-  CaseList<Case> list{{}, "random s of both signs and profiles, seed " + std::to_string(context.seed)};
+  CaseList<Case> list{{}, "random `s` of both signs and profiles, seed " + std::to_string(context.seed)};
   for (int k = 0; k < (context.quick ? 1 : 4); ++k) {
     const Rational s = random.between(Rational(1, 4), 2) * (k % 2 == 0 ? 1 : -1);
     const Rational cubic = context.quick ? Rational(0) : random.between(Rational(-1, 100), Rational(1, 100));
@@ -86,8 +86,10 @@ void check_convergence(Findings& findings, KnownMoments& known, const Link& link
   const auto exact = [&](int) -> const Moments& { return known.exact(c); };
   // Four cells to a node: neither error is the other's.
   const auto cells = [&](int n) -> const Moments& { return known.cells(c, 4 * n, link.cells_friction); };
-  measure("L(u_n) of problem I to the Riemann-Hilbert solution", levels_of(first, meshes, load, polynomials, exact), 2);
-  measure("L(u_n) of problem I to t_n of problem I0", levels_of(first, meshes, load, polynomials, cells), c.cells_rate);
+  measure("`L(u_n)` of problem I to the Riemann-Hilbert solution", levels_of(first, meshes, load, polynomials, exact),
+          2);
+  measure("`L(u_n)` of problem I to `t_n` of problem `I0`", levels_of(first, meshes, load, polynomials, cells),
+          c.cells_rate);
 }
 
 }  // namespace
@@ -106,10 +108,10 @@ Claim claim() {
         }
       })
       .wrong("problem I with the friction's sign reversed", [](Link& link) { link.displacement.inverse.friction = -1; })
-      .wrong("problem I0 with the friction's sign reversed", &Link::cells_friction, -1)
-      .wrong("L with the printed (1+x)^{1/2}", [](Link& link) { link.displacement.inverse.printed = true; })
-      .wrong("the t_0 of -alpha in phi", [](Link& link) { link.displacement.other_angle = true; })
-      .wrong("-psi instead of psi", [](Link& link) { link.displacement.profile = -1; })
+      .wrong("problem `I0` with the friction's sign reversed", &Link::cells_friction, -1)
+      .wrong("`L` with the printed `(1+x)^{1/2}`", [](Link& link) { link.displacement.inverse.printed = true; })
+      .wrong("the `t_0` of `-alpha` in `phi`", [](Link& link) { link.displacement.other_angle = true; })
+      .wrong("`-psi` instead of `psi`", [](Link& link) { link.displacement.profile = -1; })
       .wrong("twice the load in problem I", [](Link& link) { link.displacement.load = 2; })
       .near_miss("the load of problem I", [](Link& link, const Number& step) { link.load += step; });
 }

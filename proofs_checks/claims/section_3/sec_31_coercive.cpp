@@ -21,7 +21,7 @@ std::string text_of(const Coercive& c) { return "s = " + to_string(c.s); }
 CaseList<Coercive> cases(const Context& context, bool falling) {
   const CaseList<FrictionValue> frictions = frictions_of_both_signs(context, "sec-31-coercive");
   Random random(context.seed, "sec-31-coercive-cells");
-  CaseList<Coercive> list{{}, "s of both signs, random coefficients and cells, seed " + std::to_string(context.seed)};
+  CaseList<Coercive> list{{}, "`s` of both signs, random coefficients and cells, seed " + std::to_string(context.seed)};
   for (const auto& [s] : frictions.cases) {
     std::vector<Rational> c{0};
     for (int k = 1; k <= 4; ++k) c.push_back(random.between(-2, 2));
@@ -73,7 +73,7 @@ Claim claim() {
         return values;
       })
       .predicted(predicted)
-      .wrong("sqrt(1+s^2) in the energy",
+      .wrong("`sqrt(1+s^2)` in the energy",
              scaled(energies, [](const Coercive& c) { return 1 / cos_pi_alpha<Number>(c.s); }))
       .wrong("twice the energy", scaled(energies, 2))
       .wrong("the bound without friction", [](Values& p) { p["norm"] = 1; })

@@ -55,13 +55,13 @@ Claim claim() {
       .checked([]<Real R>(Findings& findings, const UnitSolution& form, const FrictionValue&, const Context& context) {
         check<R>(findings, form, context.quick);
       })
-      .wrong("alpha's sign in t_0", [](UnitSolution& form) { std::swap(form.left, form.right); })
+      .wrong("`alpha`'s sign in `t_0`", [](UnitSolution& form) { std::swap(form.left, form.right); })
       .wrong("arguments exchanged: b(t_hat, t_0)", [](UnitSolution& form) { form.s *= -1; })
-      .wrong("t_0 of the frictionless punch", [](UnitSolution& form) { form.left = form.right = -half; })
-      .wrong("cos(pi alpha) missing", &UnitSolution::factor, 1 / numeric::pi<Number>())
-      .wrong("b(t_0, t) = 0 for all t", &UnitSolution::constant, 0)
-      .wrong("K = log 2/pi whatever the friction", &UnitSolution::constant, punch_constant(0))
-      .near_miss("K", [](UnitSolution& form, const Number& step) { form.constant += step; })
+      .wrong("`t_0` of the frictionless punch", [](UnitSolution& form) { form.left = form.right = -half; })
+      .wrong("`cos(pi alpha)` missing", &UnitSolution::factor, 1 / numeric::pi<Number>())
+      .wrong("`b(t_0, t) = 0` for all `t`", &UnitSolution::constant, 0)
+      .wrong("`K = log 2/pi` whatever the friction", &UnitSolution::constant, punch_constant(0))
+      .near_miss("`K`", [](UnitSolution& form, const Number& step) { form.constant += step; })
       .near_miss("ten times an exponent", [](UnitSolution& form, const Number& step) { form.moved = 10 * step; });
 }
 

@@ -14,7 +14,7 @@ std::string text_of(const PolynomialSlope& c) { return "s = " + to_string(c.s) +
 
 CaseList<PolynomialSlope> slopes(const Context& context) {
   const std::vector<Rational> s{Rational(3, 4), -2, 0, 7, Rational(-1, 5)};
-  return random_cases(context, "sec-31-inverse", 10, 1, "polynomials u of degree up to 4, s of both signs",
+  return random_cases(context, "sec-31-inverse", 10, 1, "polynomials `u` of degree up to 4, `s` of both signs",
                       [&](Random& random, std::size_t k) {
                         const Polynomial slope(random.between(-2, 2, k % 4 + 1));
                         return PolynomialSlope{k < s.size() ? s[k] : random.between(-3, 3), slope};
@@ -72,11 +72,11 @@ Claim claim() {
       .checked([]<Real R>(Findings& findings, const InverseFormula& formula, const PolynomialSlope& c,
                           const Context& context) { check_inverse<R>(findings, formula, c, context.quick); })
       .wrong("the sign of the integral", [](InverseFormula& l) { l.integral *= -1; })
-      .wrong("the sign of s u'", [](InverseFormula& l) { l.local *= -1; })
-      .wrong("1/(1+s^2) missing before the integral", &InverseFormula::integral, 1)
-      .wrong("alpha's sign: edges exchanged", [](InverseFormula& l) { std::swap(l.rear, l.front); })
-      .wrong("the printed (1+x)^{1/2}", &InverseFormula::rear, -half)
-      .near_miss("s u'", &InverseFormula::local)
+      .wrong("the sign of `s u'`", [](InverseFormula& l) { l.local *= -1; })
+      .wrong("`1/(1+s^2)` missing before the integral", &InverseFormula::integral, 1)
+      .wrong("`alpha`'s sign: edges exchanged", [](InverseFormula& l) { std::swap(l.rear, l.front); })
+      .wrong("the printed `(1+x)^{1/2}`", &InverseFormula::rear, -half)
+      .near_miss("`s u'`", &InverseFormula::local)
       .near_miss("the integral", &InverseFormula::integral);
 }
 

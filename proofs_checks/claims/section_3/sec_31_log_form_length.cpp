@@ -8,7 +8,7 @@ Claim claim() {
       .wrong("positive up to length 2", predicts({.critical = 2}))
       .wrong("beyond length 4 on all tractions",
              replaced({{"positive on all meshes", true}, {"positive on some mesh", true}}))
-      .wrong("pi^2/k", predicts({.first = 1}));
+      .wrong("`pi^2/k`", predicts({.first = 1}));
 }
 
 }  // namespace steadyslide::proofs_checks::sec_31_log_form_length

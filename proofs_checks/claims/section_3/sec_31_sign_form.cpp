@@ -124,15 +124,15 @@ Claim claim() {
       .wrong("symmetric", scaled({"exchanged"}, -1))
       .wrong("half of it", scaled({"entry", "exchanged"}, 0.5))
       .wrong("the other sign", scaled({"entry", "exchanged"}, -1))
-      .wrong("terms with j + k even, too",
+      .wrong("terms with `j + k` even, too",
              [](Values& p, const Case& c) {
                const auto* at = std::get_if<Chebyshev>(&c.data);
                if (at && at->j != at->k) p.set("entry", Number(4) / (at->k * at->k - at->j * at->j));
              })
-      .wrong("the bound 1/pi", replaced({{"zero mean", 1 / pi}}))
-      .wrong("the bound 2/pi on all tractions", replaced({{"all", 2 / pi}}))
+      .wrong("the bound `1/pi`", replaced({{"zero mean", 1 / pi}}))
+      .wrong("the bound `2/pi` on all tractions", replaced({{"all", 2 / pi}}))
       .wrong("no growth at a jump", replaced({{"growth", Order{0}}}))
-      .wrong_beyond("a jump of s within the bound", [](const Context& context) { return cases(context, true); })
+      .wrong_beyond("a jump of `s` within the bound", [](const Context& context) { return cases(context, true); })
       .near_misses();
 }
 

@@ -31,7 +31,7 @@ std::string text_of(const Case& c) { return "s = " + to_string(c.s); }
 CaseList<Case> cases(const Context& context) {
   Random random(context.seed, "sec-32-form-a");
   const Bounds bounds{context.quick ? 24 : 48};
-  CaseList<Case> list{{{0, bounds}}, "random s of both signs and polynomials, seed " + std::to_string(context.seed)};
+  CaseList<Case> list{{{0, bounds}}, "random `s` of both signs and polynomials, seed " + std::to_string(context.seed)};
   for (int k = 0; k < (context.quick ? 2 : 10); ++k) {
     list.cases.push_back({random.between(Rational(1, 5), 3) * (k % 2 == 0 ? 1 : -1), bounds});
   }
@@ -187,13 +187,13 @@ Claim claim() {
           check_pair<R>(findings, form, c.s, std::get<Pair>(c.data));
         }
       })
-      .wrong("L with the printed (1+x)^{1/2}", [](FormA& form) { form.inverse.printed = true; })
-      .wrong("L with the friction's sign reversed", [](FormA& form) { form.inverse.friction = -1; })
-      .wrong("L with the integral's sign reversed", [](FormA& form) { form.inverse.integral = 1; })
-      .wrong("L with 1/sqrt(1+s^2)", [](FormA& form) { form.inverse.amplitude = true; })
-      .wrong("b with the friction's sign reversed", &FormA::slip, -1)
-      .wrong("the lower bound 1/sqrt(1+s^2)", [](FormA& form) { form.lower = sqrt(form.lower); })
-      .wrong("the upper bound 1/(1+s^2)", [](FormA& form) { form.upper = form.lower; })
+      .wrong("`L` with the printed `(1+x)^{1/2}`", [](FormA& form) { form.inverse.printed = true; })
+      .wrong("`L` with the friction's sign reversed", [](FormA& form) { form.inverse.friction = -1; })
+      .wrong("`L` with the integral's sign reversed", [](FormA& form) { form.inverse.integral = 1; })
+      .wrong("`L` with `1/sqrt(1+s^2)`", [](FormA& form) { form.inverse.amplitude = true; })
+      .wrong("`b` with the friction's sign reversed", &FormA::slip, -1)
+      .wrong("the lower bound `1/sqrt(1+s^2)`", [](FormA& form) { form.lower = sqrt(form.lower); })
+      .wrong("the upper bound `1/(1+s^2)`", [](FormA& form) { form.upper = form.lower; })
       .near_miss("a", [](FormA& form, const Number& step) { form.scale += step; });
 }
 

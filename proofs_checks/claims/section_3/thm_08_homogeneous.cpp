@@ -35,7 +35,7 @@ CaseList<Homogeneous> cases(const Context& context) {
     return Homogeneous{s, profile, load};
   };
   return random_cases(context, "thm-08-homogeneous", 8, context.digits == numeric::Digits::sixteen ? 4 : 1,
-                      "random s of both signs, profiles and loads", make);
+                      "random `s` of both signs, profiles and loads", make);
 }
 
 /// What has the same solution: the problem for the closed forms, and one with psi + C, the gap larger by `opened`.
@@ -103,11 +103,11 @@ Claim claim() {
       .wrong("the second solver with twice the load", [](SameSolution& same) { same.closed.load *= 2; })
       .wrong("the second solver with twice the profile",
              [](SameSolution& same, const Homogeneous& c) { same.closed.profile = c.profile + c.profile; })
-      .wrong("psi + C + x/10 instead of psi + C",
+      .wrong("`psi + C + x/10` instead of `psi + C`",
              [](SameSolution& same) {
                same.raised.profile = same.raised.profile + Polynomial({0, Rational(1, 10)});
              })
-      .wrong("psi + C and u_n, not u_n + C", &SameSolution::opened, constant)
+      .wrong("`psi + C` and `u_n`, not `u_n + C`", &SameSolution::opened, constant)
       .near_miss("the second solver's load", [](SameSolution& same, const Number& step) {
         same.closed.load *= 1 + Rational(static_cast<double>(step));
       });

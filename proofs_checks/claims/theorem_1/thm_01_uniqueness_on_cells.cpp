@@ -49,8 +49,8 @@ Claim claim() {
       .cases(rising)
       .precision(Precision::in_double)
       .checked(check)
-      .wrong_beyond("s falling by 5: a problem with three solutions",
-                    fixed_cases<Started>({{"s falling by 5", problem_with_three_solutions(), all_contact_sets(8)}}, 1,
+      .wrong_beyond("`s` falling by 5: a problem with three solutions",
+                    fixed_cases<Started>({{"`s` falling by 5", problem_with_three_solutions(), all_contact_sets(8)}}, 1,
                                          "one problem"))
       .wrong("twice the load for one of the methods", &SameForces::load, 2)
       .near_miss("forces", &SameForces::forces);

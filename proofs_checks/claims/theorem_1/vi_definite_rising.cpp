@@ -58,7 +58,7 @@ Claim claim() {
       .measured(measured)
       .predicted([](const JumpsOnCells& c) { return predicted(c, 0.5); })
       .wrong("the jump without the factor 1/2", [](Values& p, const JumpsOnCells& c) { p = predicted(c, 1); })
-      .wrong("s_- - s_+ instead of s_+ - s_-", [](Values& p, const JumpsOnCells& c) { p = predicted(c, -0.5); })
+      .wrong("`s_- - s_+` instead of `s_+ - s_-`", [](Values& p, const JumpsOnCells& c) { p = predicted(c, -0.5); })
       .wrong("the supremum over all tractions, not those of zero mean",
              [](Values& p, const JumpsOnCells& c) { p = predicted(c, 0.5, false); })
       .wrong_beyond("several jumps, falling instead of rising", jumps(Trend::falling))

@@ -29,7 +29,7 @@ struct Numbered {
 
 CaseList<Numbered> problems(const Context& context) {
   return random_cases(context, "vi-discrete-existence", 300, 12,
-                      "random meshes, frictions up to s = 20, profiles and loads, one in four tilting",
+                      "random meshes, frictions up to `s = 20`, profiles and loads, one in four tilting",
                       [](Random& random, std::size_t k) {
                         // Weak and strong friction: the largest s is 1/5 to 20.
                         const Rational largest = k % 2 == 0 ? random.between(Rational(1, 5), 2) : random.between(2, 20);
@@ -79,7 +79,7 @@ Claim claim() {
       .precision(Precision::in_double)
       .checked(check)
       .wrong("the logarithm with the other sign", &Variant::logarithm, -1)
-      .wrong("negative s integrated from the left end", &Variant::from_left, true)
+      .wrong("negative `s` integrated from the left end", &Variant::from_left, true)
       .wrong("lengths in units of half the support's", &Variant::unit, 0.5)
       .wrong("near miss: pressures moved by ten times what the certificate allows", &Variant::moved, 10);
 }

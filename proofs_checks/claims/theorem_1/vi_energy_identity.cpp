@@ -174,10 +174,10 @@ Claim claim() {
       .measured(measured)
       .predicted([](const CellForces& c) { return predicted(c, {}); })
       .wrong("the jumps without the factor 1/2", with({.factor_jump = 1}))
-      .wrong("s_{k-1} - s_k instead of s_k - s_{k-1}", with({.factor_jump = -Real50(1) / 2}))
-      .wrong("|s_k - s_{k-1}| instead of s_k - s_{k-1}", with({.modulus = true}))
-      .wrong("T taken at the end of the jump's cell", with({.at = EnergyFormula::At::cell_end}))
-      .wrong("1/(2 pi) instead of 1/pi before the logarithmic term", with({.factor_log = 1 / (2 * pi)}))
+      .wrong("`s_{k-1} - s_k` instead of `s_k - s_{k-1}`", with({.factor_jump = -Real50(1) / 2}))
+      .wrong("`|s_k - s_{k-1}|` instead of `s_k - s_{k-1}`", with({.modulus = true}))
+      .wrong("`T` taken at the end of the jump's cell", with({.at = EnergyFormula::At::cell_end}))
+      .wrong("`1/(2 pi)` instead of `1/pi` before the logarithmic term", with({.factor_log = 1 / (2 * pi)}))
       .near_misses();
 }
 

@@ -94,10 +94,10 @@ Claim claim() {
       .cases(actions)
       .measured([]<Real R>(const ActionAt& c) { return principal_values<R>(c.action, c.x); })
       .predicted([](const ActionAt& c) { return said(c); })
-      .wrong("+cot(pi lambda) on the density's side", with(WrongSymbol::cotangent_sign))
-      .wrong("+1/sin(pi lambda) on the other side", with(WrongSymbol::cosecant_sign))
+      .wrong("`+cot(pi lambda)` on the density's side", with(WrongSymbol::cotangent_sign))
+      .wrong("`+1/sin(pi lambda)` on the other side", with(WrongSymbol::cosecant_sign))
       .wrong("cotangent and sine on each other's side", with(WrongSymbol::sides_exchanged))
-      .wrong("1/pi missing", with(WrongSymbol::pi_missing))
+      .wrong("`1/pi` missing", with(WrongSymbol::pi_missing))
       .near_misses();
 }
 

@@ -27,15 +27,15 @@ Claim claim() {
                             Polynomial({0, 3, 1}), 2, -1),
               solved_corner("curvature, friction falls", 3, third, Polynomial({0, 0, 1}), Polynomial({0, 0, 2}), 6)},
              2, at_wedge_and_jump)
-      .wrong("[s] of the other sign",
+      .wrong("`[s]` of the other sign",
              [](CornerForm& form) { std::ranges::for_each(form.step, [](Number& constant) { constant *= -1; }); })
-      .wrong("beta = alpha_+ - alpha_-", [](CornerForm& form) { form.power *= -1; })
-      .wrong("the constant D/[s] missing", [](CornerForm& form) { form.step = {}; })
-      .wrong("cos(pi alpha) of the other side", [](CornerForm& form) { std::swap(form.cosine[0], form.cosine[1]); })
-      .wrong("D(c)/[s] instead of D(x)/[s]", &CornerForm::continued, false)
-      .wrong("B(c) = +theta", &CornerForm::limit, -1)
-      .near_miss("beta", [](CornerForm& form, const Number& step) { form.power += step; })
-      .near_miss("theta", [](CornerForm& form, const Number& step) { form.limit += step; });
+      .wrong("`beta = alpha_+ - alpha_-`", [](CornerForm& form) { form.power *= -1; })
+      .wrong("the constant `D/[s]` missing", [](CornerForm& form) { form.step = {}; })
+      .wrong("`cos(pi alpha)` of the other side", [](CornerForm& form) { std::swap(form.cosine[0], form.cosine[1]); })
+      .wrong("`D(c)/[s]` instead of `D(x)/[s]`", &CornerForm::continued, false)
+      .wrong("`B(c) = +theta`", &CornerForm::limit, -1)
+      .near_miss("`beta`", [](CornerForm& form, const Number& step) { form.power += step; })
+      .near_miss("`theta`", [](CornerForm& form, const Number& step) { form.limit += step; });
 }
 
 }  // namespace steadyslide::proofs_checks::thm_02_solved_wedge_and_jump

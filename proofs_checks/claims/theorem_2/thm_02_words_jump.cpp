@@ -124,12 +124,12 @@ Claim claim() {
                                                   : solved_values<R>(c);
       })
       .predicted([](const JumpCase& c) { return predicted(c); })
-      .wrong("infinite where f falls, zero where it rises: the sign of beta",
+      .wrong("infinite where `f` falls, zero where it rises: the sign of `beta`",
              scaled({"power", "left cells", "right cells"}, -1))
-      .wrong("gamma left out of alpha",
+      .wrong("`gamma` left out of `alpha`",
              [](Values& p, const JumpCase& c) { p = predicted(c, c.problem.elasticity().gamma()); })
-      .wrong("infinite wherever f rises, with theta(c) = 0 as well", replaced({{"vanishes", false}}))
-      .wrong("theta fixed by what is near c", replaced({{"other theta", false}}))
+      .wrong("infinite wherever `f` rises, with `theta(c) = 0` as well", replaced({{"vanishes", false}}))
+      .wrong("`theta` fixed by what is near `c`", replaced({{"other theta", false}}))
       .near_misses();
 }
 

@@ -116,13 +116,13 @@ Claim claim() {
       })
       .wrong("a coefficient that grows with the load",
              scaled({"left", "right"}, [](const CornerCase& c) { return to_real<Number>(c.problem.load() / 6); }))
-      .wrong("1/(1+s^2) missing",
+      .wrong("`1/(1+s^2)` missing",
              scaled({"left", "right", "step"}, [](const CornerCase& c) { return to_real<Number>(1 + c.s() * c.s()); }))
       .wrong("the logarithm's sign", scaled({"left", "right"}, -1))
-      .wrong("1/pi missing", scaled({"left", "right"}, numeric::pi<Number>()))
-      .wrong("the step's sign: H(c-x)", scaled({"step"}, -1))
-      .wrong("a re-entrant corner excluded where f rises as well", scaled({"inside"}, 0))
-      .wrong("a re-entrant corner admitted where f does not jump",
+      .wrong("`1/pi` missing", scaled({"left", "right"}, numeric::pi<Number>()))
+      .wrong("the step's sign: `H(c-x)`", scaled({"step"}, -1))
+      .wrong("a re-entrant corner excluded where `f` rises as well", scaled({"inside"}, 0))
+      .wrong("a re-entrant corner admitted where `f` does not jump",
              [](Values& p, const CornerCase& c) { p.set("inside", Number(c.trend >= 0 ? 1 : 0)); })
       .near_misses();
 }

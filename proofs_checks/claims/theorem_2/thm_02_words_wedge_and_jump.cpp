@@ -109,18 +109,18 @@ Claim claim() {
       // Beside a power of the distance a limit is exact to digits of the power's size.
       .measured([]<Real R>(const CornerCase& c) { return measured<R>(c); })
       .predicted(predicted)
-      .wrong("zero where f falls, as without the wedge", [](Values& p) { set_limit(p, 0); })
-      .wrong("the sign of [s]", scaled({"left limit", "right limit", "cells"}, -1))
-      .wrong("D/(1+s^2), as for the logarithm",
+      .wrong("zero where `f` falls, as without the wedge", [](Values& p) { set_limit(p, 0); })
+      .wrong("the sign of `[s]`", scaled({"left limit", "right limit", "cells"}, -1))
+      .wrong("`D/(1+s^2)`, as for the logarithm",
              [](Values& p, const CornerCase& c) { set_limit(p, -c.wedge() / (1 + c.rear() * c.rear())); })
-      .wrong("the wedge changes the power where f rises",
+      .wrong("the wedge changes the power where `f` rises",
              [](Values& p, const CornerCase& c) {
                if (c.wedge() == 0) return;
                for (const char* power : {"power", "left cells", "right cells"}) {
                  if (p.find(power)) p[power] += 1;
                }
              })
-      .wrong("a negative limit for any wedge: contact at a re-entrant corner where f falls",
+      .wrong("a negative limit for any wedge: contact at a re-entrant corner where `f` falls",
              replaced({{"inside", Number(1)}}))
       .near_misses();
 }

@@ -137,8 +137,10 @@ Claim claim() {
         });
         check_solved(findings, solved, form, c);
       })
-      .wrong("the printed angle (5), of the friction behind c, for contact in front of c", other_angle_for(Side::right))
-      .wrong("the printed angle (6), of the friction in front of c, for contact behind c", other_angle_for(Side::left))
+      .wrong("the printed angle (5), of the friction behind `c`, for contact in front of `c`",
+             other_angle_for(Side::right))
+      .wrong("the printed angle (6), of the friction in front of `c`, for contact behind `c`",
+             other_angle_for(Side::left))
       .wrong("the mean of both angles' powers",
              [](PowerProduct& t, const StepCase& c) {
                t.move_power(c.end_at_step(), to_real<Number>(contact_angle(c) - other_angle(c)) / 2);

@@ -78,15 +78,15 @@ Claim claim() {
         check_end(findings, form.rear, Side::left, traction, problem);
         check_end(findings, form.front, Side::right, traction, problem);
       })
-      .wrong("the printed x -> c- at the front: the estimate read inside of the contact",
+      .wrong("the printed `x -> c-` at the front: the estimate read inside of the contact",
              [](Outside& form) { form.front.from_inside = true; })
-      .wrong("the other sign of u' in front",
+      .wrong("the other sign of `u'` in front",
              [](Outside& form) {
                form.front.factor *= -1;
                form.front.coefficient *= -1;
              })
-      .wrong("sqrt(1+s^2) missing at the rear", [](Outside& form) { form.rear.coefficient = -1; })
-      .wrong("sqrt(1+s^2) of the front at the rear",
+      .wrong("`sqrt(1+s^2)` missing at the rear", [](Outside& form) { form.rear.coefficient = -1; })
+      .wrong("`sqrt(1+s^2)` of the front at the rear",
              [](Outside& form) { form.rear.coefficient = -form.front.coefficient; })
       .wrong("the powers of both edges exchanged in the estimate",
              [](Outside& form) { std::swap(form.rear.power, form.front.power); })
@@ -95,7 +95,7 @@ Claim claim() {
                form.rear.power = -(half + alpha(p, p.friction().values().size() - 1));
              })
       .near_miss("the power at the front", [](Outside& form, const Number& step) { form.front.moved = step; })
-      .near_miss("u' behind", [](Outside& form, const Number& step) { form.rear.factor *= 1 + step; });
+      .near_miss("`u'` behind", [](Outside& form, const Number& step) { form.rear.factor *= 1 + step; });
 }
 
 }  // namespace steadyslide::proofs_checks::thm_03_outside_slope

@@ -102,18 +102,18 @@ Claim claim() {
         findings.require(contact.front().left.intensity.value >= 0 && contact.back().right.intensity.value >= 0,
                          "theta < 0 where t <= 0 forbids it");
       })
-      .wrong("the other sign of u' - psi' behind the rear end", [](EndSlopes& said) { said[0].coefficient *= -1; })
-      .wrong("the other sign of u' - psi' beyond a free end",
+      .wrong("the other sign of `u' - psi'` behind the rear end", [](EndSlopes& said) { said[0].coefficient *= -1; })
+      .wrong("the other sign of `u' - psi'` beyond a free end",
              [](EndSlopes& said, const SolvedProblem& c) {
                for (const std::size_t i : {0U, 1U}) said[i].coefficient *= c.free[i] ? -1 : 1;
              })
-      .wrong("sqrt(1+s^2) missing",
+      .wrong("`sqrt(1+s^2)` missing",
              [](EndSlopes& said) {
                std::ranges::for_each(said, [](EndSlope& end) { end.coefficient = end.coefficient > 0 ? 1 : -1; });
              })
       .wrong("the powers of both ends exchanged", [](EndSlopes& said) { std::swap(said[0].power, said[1].power); })
       .near_miss("the power at the front", [](EndSlopes& said, const Number& step) { said[1].power += step; })
-      .near_miss("u' in front", [](EndSlopes& said, const Number& step) { said[1].coefficient *= 1 + step; });
+      .near_miss("`u'` in front", [](EndSlopes& said, const Number& step) { said[1].coefficient *= 1 + step; });
 }
 
 }  // namespace steadyslide::proofs_checks::thm_03_solved_ends

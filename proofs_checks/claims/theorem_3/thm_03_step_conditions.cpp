@@ -105,7 +105,7 @@ Claim claim() {
         return said;
       })
       .wrong("the power of a free end at a step", all_ends(End::free))
-      .wrong("the power of an edge where psi is continuous", all_ends(End::edge))
+      .wrong("the power of an edge where `psi` is continuous", all_ends(End::edge))
       .wrong("contact on the side of the higher profile", scaled({"side"}, -1))
       .wrong(
           "the same powers at front and rear",

@@ -193,13 +193,13 @@ Claim claim() {
                                                                  const WedgeProblem& w) {
         check(findings, said, w, kept->at(w, [&] { return measure<R>(w); }));
       })
-      .wrong("P t_0 added", &Decomposition::load, 1)
-      .wrong("P t_0 left out", &Decomposition::load, 0)
-      .wrong("L(psi - phi) left out", &Decomposition::rest, 0)
-      .wrong("L(u - psi) left out", &Decomposition::beyond, 0)
+      .wrong("`P t_0` added", &Decomposition::load, 1)
+      .wrong("`P t_0` left out", &Decomposition::load, 0)
+      .wrong("`L(psi - phi)` left out", &Decomposition::rest, 0)
+      .wrong("`L(u - psi)` left out", &Decomposition::beyond, 0)
       .wrong("the logarithm in another term", &Decomposition::logarithm, 0)
       .wrong("the step's sign", &Decomposition::step, -1)
-      .near_miss("P t_0", &Decomposition::load);
+      .near_miss("`P t_0`", &Decomposition::load);
 }
 
 }  // namespace steadyslide::proofs_checks::thm_09_proof_decomposition

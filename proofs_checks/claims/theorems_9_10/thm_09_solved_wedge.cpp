@@ -20,16 +20,16 @@ Claim claim() {
                                      Polynomial({0, 1, 1}), 6),
                        solved_corner("curvature", 1, 1, Polynomial({0, 0, 1}), Polynomial({0, 0, 2}), 6)},
                       1, at_wedge)
-      .wrong("H(c-x) instead of H(x-c)", [](CornerForm& form) { std::swap(form.step[0], form.step[1]); })
-      .wrong("1/(1+s^2) missing",
+      .wrong("`H(c-x)` instead of `H(x-c)`", [](CornerForm& form) { std::swap(form.step[0], form.step[1]); })
+      .wrong("`1/(1+s^2)` missing",
              [](CornerForm& form, const SolvedCorner& c) {
                const Number s = to_real<Number>(s_of(c.problem, 0));
                form.log_factor *= 1 + s * s;
                form.step[1] *= 1 + s * s;
              })
       .wrong("the logarithm with the other sign", [](CornerForm& form) { form.log_factor *= -1; })
-      .wrong("1/pi missing", [](CornerForm& form) { form.log_factor *= numeric::pi<Number>(); })
-      .wrong("D(c) instead of D(x)", &CornerForm::continued, false)
+      .wrong("`1/pi` missing", [](CornerForm& form) { form.log_factor *= numeric::pi<Number>(); })
+      .wrong("`D(c)` instead of `D(x)`", &CornerForm::continued, false)
       .near_miss("the logarithm", &CornerForm::log_factor)
       .near_miss("the constant", [](CornerForm& form, const Number& step) { form.limit += step; });
 }

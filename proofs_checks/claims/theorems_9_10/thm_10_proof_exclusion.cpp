@@ -77,9 +77,9 @@ Claim claim() {
       .predicted([](const ForcedEnd& c) -> Values {
         return {{"gap", gap_over_a(c)}, {"sign", Number(c.sign)}, {"rule", Number(1)}};
       })
-      .wrong("the surface below the indenter for a > 0", scaled({"gap"}, -1))
-      .wrong("sqrt(1+s^2) missing", scaled({"gap"}, cos_pi_alpha<Number>(s)))
-      .wrong("1/(1/2-alpha) missing",
+      .wrong("the surface below the indenter for `a > 0`", scaled({"gap"}, -1))
+      .wrong("`sqrt(1+s^2)` missing", scaled({"gap"}, cos_pi_alpha<Number>(s)))
+      .wrong("`1/(1/2-alpha)` missing",
              [](Values& p, const ForcedEnd& c) { p["gap"] *= to_real<Number>(edge_power(c)) + 1; })
       .wrong("a of one sign in all cases", [](Values& p) { p["sign"] = 1; })
       .near_misses();

@@ -55,16 +55,16 @@ Claim claim() {
         findings.compare("equation", static_cast<double>(check.equation()));
       })
       .wrong("the sign of a", [](LinearForm& form) { form.a = -form.a; })
-      .wrong("alpha's sign in a", [](LinearForm& form, const FrictionValue& c) { form.a = constant(c, -2); })
-      .wrong("alpha for 2 alpha in a", [](LinearForm& form, const FrictionValue& c) { form.a = constant(c, 1); })
-      .wrong("pi missing",
+      .wrong("`alpha`'s sign in `a`", [](LinearForm& form, const FrictionValue& c) { form.a = constant(c, -2); })
+      .wrong("`alpha` for `2 alpha` in `a`", [](LinearForm& form, const FrictionValue& c) { form.a = constant(c, 1); })
+      .wrong("`pi` missing",
              [](LinearForm& form) {
                form.a /= numeric::pi<Number>();
                form.b /= numeric::pi<Number>();
              })
-      .wrong("the printed (1+x)^{1/2} in t_0", &LinearForm::rear, -half)
+      .wrong("the printed `(1+x)^{1/2}` in `t_0`", &LinearForm::rear, -half)
       .near_miss("a", &LinearForm::a)
-      .near_miss("b", &LinearForm::b);
+      .near_miss("`b`", &LinearForm::b);
 }
 
 }  // namespace steadyslide::proofs_checks::thm_10_proof_linear

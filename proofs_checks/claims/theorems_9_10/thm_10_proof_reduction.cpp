@@ -90,8 +90,8 @@ Claim claim() {
       })
       .wrong("the printed u~ where its derivative must stand", &Reduction::printed, true)
       .wrong("psi_bar + u~", &Reduction::slope, 1)
-      .wrong("psi_bar unchanged", &Reduction::slope, 0)
-      .wrong("P unchanged", &Reduction::load, 0)
+      .wrong("`psi_bar` unchanged", &Reduction::slope, 0)
+      .wrong("`P` unchanged", &Reduction::load, 0)
       .wrong("P - int t~", &Reduction::load, -1)
       .near_miss("u~'", &Reduction::slope);
 }

@@ -67,7 +67,7 @@ Claim claim() {
                p = values_with(c.s, 1);
                p["sine"] = right;
              })
-      .wrong("the sine of pi alpha",
+      .wrong("the sine of `pi alpha`",
              [](Values& p, const FrictionValue& c) {
                if (is_coupled(c)) p = values_with(c.s, to_real<Number>(c.s) * sine(c.s));
              })

@@ -27,7 +27,7 @@ PiecewiseDensity<R> density(const Rational& s, int extra) {
 void decide_powers(Findings& findings, const Splitting& form) {
   for (const Rational& x : {Rational(-1, 2), Rational(1, 3)}) {
     for (const Rational& y : {Rational(1, 5), Rational(-2, 3)}) {
-      findings.decide("1+x' = (1+x) + (x'-x), the common factor (1+x')^b taken out",
+      findings.decide("`1+x' = (1+x) + (x'-x)`, the common factor `(1+x')^b` taken out",
                       1 + y == form.constant + form.slope * x + form.last * (y - x));
     }
   }
@@ -52,7 +52,7 @@ Claim claim() {
         findings.compare("integral", left, R(second + last), abs(second));
       })
       .wrong("the last term's sign", &Splitting::last, -1)
-      .wrong("1+x missing before the second term", &Splitting::slope, 0)
+      .wrong("`1+x` missing before the second term", &Splitting::slope, 0)
       .wrong("another power in the last term", &Splitting::last_power, 1)
       .near_miss("the second integral", [](Splitting& form, const Number& step) { form.integral += step; });
 }

@@ -54,7 +54,7 @@ void check_sign(Findings& findings, double smallest_eigenvalue, bool definite, c
                                                               short_text(smallest_eigenvalue) +
                                                               ", has the other sign than the law foretells");
   findings.compare(
-      {"sign of the smallest eigenvalue", {"eigenvalues of the matrix of entries", "the law for sup(T(c)^2/E)"}, 0.5},
+      {"sign of the smallest eigenvalue", {"eigenvalues of the matrix of entries", "the law for `sup(T(c)^2/E)`"}, 0.5},
       0);
 }
 

@@ -92,7 +92,7 @@ class Comparison {
   void exponents() {
     const Quantity bar{"error bar of an exponent that is read off the cells", {}, quick_ ? 0.05 : 0.01};
     const Quantity agrees{"distance of the exponents, in error bars", {"fit to the cells", "local equation"}, 1};
-    const Quantity excludes{"error bar over the distance to the exponent with alpha of the other sign", {}, 1};
+    const Quantity excludes{"error bar over the distance to the exponent with `alpha` of the other sign", {}, 1};
     for (const ReadExponent& read : study_.exponents) {
       findings_.begin_case("x = " + std::to_string(read.x));
       double right = to_real<double>(read.derived);
@@ -177,7 +177,7 @@ Claim convergence_claim(std::string_view id) {
           .wrong(problem.friction().values().size() > 1 ? "the reference with the friction values in the other order"
                                                         : "the reference sliding the other way",
                  &Prediction::friction_reversed, true)
-          .wrong("exponents with alpha's sign reversed", &Prediction::angle_reversed, true)
+          .wrong("exponents with `alpha`'s sign reversed", &Prediction::angle_reversed, true)
           .wrong("every end two cells further right", &Prediction::end_offset, 2)
           .wrong("near miss: intensities off by ten times what the finest mesh allows", &Prediction::intensity_offset,
                  10);

@@ -63,9 +63,10 @@ Evidence examine_right(const std::vector<Family>& families) {
     require_all_named(found, family);
     std::ranges::move(right_identities(found), std::back_inserter(identities));
   }
-  return weigh_identities(identities,
-                          "decided for frictions s that are symbols, as equations between rational functions of s, r = "
-                          "sqrt(1+s^2) and i; no number is put in");
+  return weigh_identities(
+      identities,
+      "decided for frictions `s` that are symbols, as equations between rational functions of `s`, `r = "
+      "sqrt(1+s^2)` and `i`; no number is put in");
 }
 
 /// Refuted only if it is refuted of every statement that has it.

@@ -13,7 +13,7 @@ CaseList<PoissonRatio> all_ratios(const Context& context) {
   std::vector<PoissonRatio> all{{Rational(-1) + step, Where::next_to_minus_one},
                                 {Rational(1, 2) - step, Where::next_to_one_half}};
   for (const Rational& nu : poisson_ratios(context, "range")) all.push_back({nu});
-  return {std::move(all), "29 values of nu and random ones with seed " + std::to_string(context.seed)};
+  return {std::move(all), "29 values of `nu` and random ones with seed " + std::to_string(context.seed)};
 }
 
 /// One of the ends of the interval, for what lies next to it.

@@ -53,7 +53,7 @@ void check_exactly(Findings& findings, const ContactProblem& problem, const Cont
   const Quantity ends{"ends of the contact", routes, allowed<R>};
   const Quantity traction{"traction", routes, allowed<R>};
   const Quantity gap{"gap", routes, allowed<R>};
-  const Quantity slope{"u'", routes, allowed<R>};
+  const Quantity slope{"`u'`", routes, allowed<R>};
   const auto a = numeric::riemann_hilbert<R>(problem).solution;
   const auto b = numeric::riemann_hilbert<R>(other).solution;
   if (!a || !b || !a->failed_condition().empty() || !b->failed_condition().empty()) return findings.skip(ends);

@@ -148,8 +148,8 @@ R equation_error(const TractionRepresentation<R>& solution) {
 
 template <Real R>
 void check_equation(Findings& findings, const TractionRepresentation<R>& solution) {
-  const Quantity equation{"A t = psi'/c for the solved problem",
-                          {"(1/pi) PV int t/(x'-x) dx' + s t, trapezoidal rule", "psi'/c"},
+  const Quantity equation{"`A t = psi'/c` for the solved problem",
+                          {"`(1/pi) PV int t/(x'-x) dx' + s t`, trapezoidal rule", "`psi'/c`"},
                           tolerance<R>()};
   findings.compare(equation, static_cast<double>(equation_error(solution)));
 }

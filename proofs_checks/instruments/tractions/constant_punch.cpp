@@ -37,22 +37,23 @@ Claim constant_punch_claim(std::string id, PunchLoad load) {
             check_surface(findings, surface, count_for(context, {9, 3, 3}));
             check_surface_by_gsl(findings, in_double);
             if (load == PunchLoad::given) check_punch_values(findings, t.at<R>(), p);
-            findings.decide("alpha = arctan(s)/pi lies in [0, 1/2[",
+            findings.decide("`alpha = arctan(s)/pi` lies in [0, 1/2[",
                             alpha(p, 0).sign() >= 0 && (half - alpha(p, 0)).sign() > 0);
           })
-      .wrong("the printed (1+x)^{1/2} instead of (1+x)^{1/2+alpha}", [](PowerProduct& t) { t.exponents[0] = -half; })
-      .wrong("the power -(1/2-alpha) at the rear edge",
+      .wrong("the printed `(1+x)^{1/2}` instead of `(1+x)^{1/2+alpha}`",
+             [](PowerProduct& t) { t.exponents[0] = -half; })
+      .wrong("the power `-(1/2-alpha)` at the rear edge",
              [](PowerProduct& t, const ContactProblem& p) { t.exponents[0] = -(half - alpha(p, 0)); })
       .wrong("the powers of both edges exchanged", [](PowerProduct& t) { std::swap(t.exponents[0], t.exponents[1]); })
-      .wrong("cos(pi alpha) missing",
+      .wrong("`cos(pi alpha)` missing",
              [](PowerProduct& t, const ContactProblem& p) { t.scale(1 / cos_pi_alpha<Number>(p.coupled_friction(0))); })
-      .wrong("1/pi missing", [](PowerProduct& t) { t.scale(numeric::pi<Number>()); })
-      .wrong("alpha = arctan(f)/pi, gamma missing",
+      .wrong("`1/pi` missing", [](PowerProduct& t) { t.scale(numeric::pi<Number>()); })
+      .wrong("`alpha = arctan(f)/pi`, `gamma` missing",
              [](PowerProduct& t, const ContactProblem& p) {
                t.exponents = punch_powers({Exponent::angle(p.friction().values()[0])});
              })
       .near_miss("the rear exponent", [](PowerProduct& t, const Number& step) { t.move_power(0, step); })
-      .near_miss("alpha, the exponents' sum kept,",
+      .near_miss("`alpha`, the exponents' sum kept,",
                  [](PowerProduct& t, const Number& step) {
                    t.move_power(0, -step);
                    t.move_power(1, step);

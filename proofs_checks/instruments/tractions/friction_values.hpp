@@ -18,7 +18,8 @@ inline CaseList<FrictionValue> friction_values(const Context& context, std::stri
   if (!context.quick) all.insert(all.end(), {{0}, {Rational(3, 2)}, {Rational(-1, 3)}});
   Random random(context.seed, stream);
   all.push_back({random.between(0, 3)});
-  return {all, std::to_string(all.size()) + " values of s, the last random with seed " + std::to_string(context.seed)};
+  return {all,
+          std::to_string(all.size()) + " values of `s`, the last random with seed " + std::to_string(context.seed)};
 }
 
 /// Fixed and random ones of either sign, as both directions of sliding have it; a single random one in a quick run.
@@ -27,7 +28,7 @@ inline CaseList<FrictionValue> frictions_of_both_signs(const Context& context, s
   Random random(context.seed, stream);
   if (context.quick) all = {{random.between(Rational(1, 2), 2)}};
   for (int k = 0; k < 6 && !context.quick; ++k) all.push_back({random.between(-3, 3)});
-  return {all, "s of both signs, seed " + std::to_string(context.seed)};
+  return {all, "`s` of both signs, seed " + std::to_string(context.seed)};
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -38,8 +38,8 @@ void check_parabola(Findings& findings, const ParabolaTraction& t, const Contact
                     const Context& context) {
   using std::abs;
   const PowerForm<R> form = t.at<R>();
-  const Quantity first{"equation for the middle of the contact", {"sum p_j r_j", "0"}, tolerance<R>()};
-  const Quantity second{"equation for the width of the contact", {"sum p_j r_j^2", "2 P R/pi"}, tolerance<R>()};
+  const Quantity first{"equation for the middle of the contact", {"`sum p_j r_j`", "0"}, tolerance<R>()};
+  const Quantity second{"equation for the width of the contact", {"`sum p_j r_j^2`", "`2 P R/pi`"}, tolerance<R>()};
   const R radius = to_real<R>(radius_of(problem));
   const std::function<R(const R&)> slope = [radius](const R& x) { return R(x / radius); };
   const trapezoidal::Grid<R> grid =

@@ -42,14 +42,15 @@ trapezoidal::Grid<R> check_surface(Findings& findings, const Surface<R>& surface
   require_integrable(findings, surface);
   trapezoidal::Grid<R> grid(surface.traction);
   const double allowed = tolerance<R>();
-  const Quantity load_1{"total load int t, trapezoidal rule", {"trapezoidal rule", "the load given"}, allowed};
+  const Quantity load_1{"total load `int t`, trapezoidal rule", {"trapezoidal rule", "the load given"}, allowed};
   const Quantity load_2{
-      "total load int t, tanh-sinh rule", {"tanh-sinh rule with absorbed powers", "the load given"}, allowed};
-  const Quantity equation_1{"A t = u'/c at points of every panel, trapezoidal rule",
-                            {"(1/pi) PV int t/(x'-x) dx' with nodes staggered off the pole", "u'/c - s t"},
+      "total load `int t`, tanh-sinh rule", {"tanh-sinh rule with absorbed powers", "the load given"}, allowed};
+  const Quantity equation_1{"`A t = u'/c` at points of every panel, trapezoidal rule",
+                            {"`(1/pi) PV int t/(x'-x) dx'` with nodes staggered off the pole", "`u'/c - s t`"},
                             allowed};
-  const Quantity equation_2{
-      "A t = u'/c, tanh-sinh rule", {"(1/pi) PV int t/(x'-x) dx' with the pole subtracted", "u'/c - s t"}, allowed};
+  const Quantity equation_2{"`A t = u'/c`, tanh-sinh rule",
+                            {"`(1/pi) PV int t/(x'-x) dx'` with the pole subtracted", "`u'/c - s t`"},
+                            allowed};
   // The equation before the load: it is blind to a factor, and nothing else may hide behind the load.
   // Numerators over 10^6: exact at every precision.
   constexpr std::array<int, 9> fractions{1, 999'999, 500'000, 100, 10'000, 250'000, 800'000, 990'000, 999'900};
@@ -75,9 +76,9 @@ trapezoidal::Grid<R> check_surface(Findings& findings, const Surface<R>& surface
 }
 
 void check_surface_by_gsl(Findings& findings, const Surface<double>& surface) {
-  const Quantity load{"total load int t, GSL in double", {"GSL's QAWS", "the load given"}, 1e-11};
+  const Quantity load{"total load `int t`, GSL in double", {"GSL's QAWS", "the load given"}, 1e-11};
   const Quantity equation{
-      "A t = u'/c, GSL in double", {"(1/pi) PV int t/(x'-x) dx' by GSL's QAWC and QAWS", "u'/c - s t"}, 1e-11};
+      "`A t = u'/c`, GSL in double", {"`(1/pi) PV int t/(x'-x) dx'` by GSL's QAWC and QAWS", "`u'/c - s t`"}, 1e-11};
   const Estimate<double> integral = numeric::gsl::integral(surface.traction);
   if (integral.convergence == numeric::Convergence::reached) {
     findings.compare(load, load_error(surface, integral.value));

@@ -47,10 +47,16 @@ std::map<std::string, std::string> documented_reasons() {
 TEST_CASE("every claim says what is stated, what is assumed and how it follows, with formulas between backticks") {
   for (const Claim& claim : registry()) {
     CAPTURE(claim.id);
-    for (const std::string* text : {&claim.statement, &claim.hypotheses, &claim.derivation}) {
-      CAPTURE(*text);
-      CHECK(is_balanced(*text));
-      CHECK(has_whole_formulas(*text));
+    std::vector<std::string> texts{claim.statement, claim.hypotheses, claim.derivation};
+    for (const Control& control : claim.controls) texts.push_back(control.name);
+    for (const Quantity& quantity : claim.compared) {
+      texts.push_back(quantity.what);
+      std::ranges::copy(quantity.routes, std::back_inserter(texts));
+    }
+    for (const std::string& text : texts) {
+      CAPTURE(text);
+      CHECK(is_balanced(text));
+      CHECK(has_whole_formulas(text));
     }
     if (!claim.controls.empty()) CHECK_FALSE(claim.derivation.empty());  // otherwise beyond calculation
   }
