@@ -25,10 +25,6 @@ struct UnitRule {
   std::size_t size() const { return weights.size(); }
 };
 
-/// The former name, which claims still use.
-template <Real R>
-using JacobiRule = UnitRule<R>;
-
 /// Throws std::invalid_argument unless n >= 1 and both powers are > -1, std::runtime_error if a node is not found.
 template <Real R>
 UnitRule<R> jacobi_rule(const Power<R>& left, const Power<R>& right, int n);

@@ -5,7 +5,7 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::JacobiRule;
+using numeric::UnitRule;
 
 constexpr std::size_t form_size = highest_angle + 1;
 
@@ -28,7 +28,7 @@ template <class R>
 FormMatrix<R> log_form_by_quadrature(const R& length) {
   using std::cos, std::log, std::sin;
   const R pi = numeric::pi<R>();
-  const JacobiRule<R> rule = numeric::double_exponential_rule<R>();
+  const UnitRule<R> rule = numeric::double_exponential_rule<R>();
   FormMatrix<R> form(form_size, std::vector<R>(form_size, R(0)));
   constexpr int outer = highest_angle + 1;  // exact up to cos(2 highest_angle angle)
   for (int i = 0; i < outer; ++i) {
@@ -60,7 +60,7 @@ template <class R>
 FormMatrix<R> sign_form() {
   using std::cos;
   const R pi = numeric::pi<R>();
-  const JacobiRule<R> rule = numeric::jacobi_rule<R>({R(0), R(1)}, {R(0), R(1)}, gauss_nodes<R>);
+  const UnitRule<R> rule = numeric::jacobi_rule<R>({R(0), R(1)}, {R(0), R(1)}, gauss_nodes<R>);
   FormMatrix<R> form(form_size, std::vector<R>(form_size, R(0)));
   for (std::size_t i = 0; i < rule.size(); ++i) {
     const R angle = pi * rule.from_left[i];

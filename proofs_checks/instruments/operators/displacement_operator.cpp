@@ -13,7 +13,7 @@ R apart(const Node<R>& a, const Node<R>& b) {
 
 /// On [-1, 1].
 template <Real R>
-std::vector<Node<R>> nodes_of(const numeric::JacobiRule<R>& rule) {
+std::vector<Node<R>> nodes_of(const numeric::UnitRule<R>& rule) {
   std::vector<Node<R>> nodes;
   for (std::size_t i = 0; i < rule.size(); ++i) {
     const R left = 2 * rule.from_left[i];

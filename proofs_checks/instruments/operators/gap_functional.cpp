@@ -52,7 +52,7 @@ R on_panel(numeric::JacobiRules<R>& rules, const Rational& s, const Rational& le
   const Power<R> none{R(0), R(1)};
   // The error falls as 5.8^{-2n}.
   constexpr int nodes = std::same_as<R, double> ? 14 : std::same_as<R, Real50> ? 42 : 82;
-  const numeric::JacobiRule<R>& rule = rules.get(left == -1 ? a : none, right == 1 ? b : none, nodes);
+  const numeric::UnitRule<R>& rule = rules.get(left == -1 ? a : none, right == 1 ? b : none, nodes);
   const R h = to_real<R>(length);
   R scale = h;
   if (left == -1) scale *= pow(h, a.value);

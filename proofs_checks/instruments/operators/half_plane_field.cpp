@@ -29,7 +29,7 @@ std::vector<R> remainder_polynomial(const TractionPiece& piece) {
 /// Gauss' rule for [0, 1], made once. With so many nodes functions whose nearest pole is a length of the interval away
 /// are exact to 100 digits and more.
 template <Real R>
-const numeric::JacobiRule<R>& gauss_rule() {
+const numeric::UnitRule<R>& gauss_rule() {
   static const auto rule = numeric::jacobi_rule<R>({R(0), R(1)}, {R(0), R(1)}, std::same_as<R, Real100> ? 180 : 90);
   return rule;
 }
@@ -56,7 +56,7 @@ HalfPlaneField<R>::HalfPlaneField(const Solid& body, const PiecewiseTraction& no
 
 template <class R>
 std::vector<typename HalfPlaneField<R>::Piece> HalfPlaneField<R>::pieces_of(const PiecewiseTraction& traction) {
-  const numeric::JacobiRule<R>& rule = gauss_rule<R>();
+  const numeric::UnitRule<R>& rule = gauss_rule<R>();
   std::vector<Piece> result;
   for (const TractionPiece& piece : traction) {
     const R from = to_real<R>(piece.from);
@@ -148,7 +148,7 @@ R HalfPlaneField<R>::normal_slope(const R& x) const {
       farthest = std::max(farthest, R(abs(x - end)));
     }
   }
-  const numeric::JacobiRule<R>& rule = gauss_rule<R>();
+  const numeric::UnitRule<R>& rule = gauss_rule<R>();
   const R scale = sqrt(nearest * farthest);
   R sum = 0;
   for (std::size_t i = 0; i < rule.size(); ++i) {

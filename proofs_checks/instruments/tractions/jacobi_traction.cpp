@@ -13,7 +13,7 @@ using numeric::Power;
 template <class R, class F>
 R gauss_jacobi(const Power<R>& left, const Power<R>& right, int nodes, const F& f) {
   using std::pow;
-  const numeric::JacobiRule<R> rule = numeric::jacobi_rule<R>(left, right, nodes);
+  const numeric::UnitRule<R> rule = numeric::jacobi_rule<R>(left, right, nodes);
   R sum = 0;
   for (std::size_t i = 0; i < rule.size(); ++i) sum += rule.weights[i] * f(R(2 * rule.from_left[i] - 1));
   return sum * pow(R(2), R(left.value + right.plus_one));
