@@ -37,10 +37,10 @@ Ball range_of_l(const Ball& w) { return hull((Ball(0.25) - w).is_positive() ? l(
 template <class Kernel>
 std::vector<Ball> sums_over_nodes(const std::vector<std::int64_t>& w, const Kernel& kernel) {
   const auto n = static_cast<slong>(w.size()) - 1;
-  struct Whole {
+  struct IntegerPolynomial {
     fmpz_poly_t poly;
-    Whole() { fmpz_poly_init(poly); }
-    ~Whole() { fmpz_poly_clear(poly); }
+    IntegerPolynomial() { fmpz_poly_init(poly); }
+    ~IntegerPolynomial() { fmpz_poly_clear(poly); }
   } a, k, product;
   fmpz_t number;
   fmpz_init(number);
@@ -93,7 +93,7 @@ class Gap {
   /// Proves H >= <H, p_h>/P - E everywhere.
   std::size_t prove() {
     Ball mean;
-    std::vector<std::vector<Part>> cells(n_);
+    std::vector<std::vector<CellPolynomial>> cells(n_);
     Progress progress;
     for (std::size_t i = 0; i < n_; ++i) {
       cells[i] = parts(i, progress);
@@ -101,14 +101,14 @@ class Gap {
     }
     level_ = mean / S_ - ball(cells_.energy);
     for (std::size_t i = 0; i < n_; ++i) {
-      for (const Part& part : cells[i]) check(i, part, part.from, part.to, 0);
+      for (const CellPolynomial& part : cells[i]) check(i, part, part.from, part.to, 0);
     }
     return intervals_;
   }
 
  private:
   /// A part of a cell, with psi/(c P) + F/S there as a polynomial in t.
-  struct Part {
+  struct CellPolynomial {
     Ball from;
     Ball to;
     std::vector<Ball> given;
@@ -142,13 +142,13 @@ class Gap {
     Rational work;
   };
 
-  std::vector<Part> parts(std::size_t i, Progress& at) const {
+  std::vector<CellPolynomial> parts(std::size_t i, Progress& at) const {
     const Problem& p = cells_.problem;
     const Rational weight(cells_.weights[i]);
     Rational place = p.left + h_ * Rational(static_cast<slong>(i));
     const Rational right = place + h_;
     const Rational middle = (place + right) / Rational(2);
-    std::vector<Part> result;
+    std::vector<CellPolynomial> result;
     while (place < right) {
       Rational next = std::min(right, p.pieces[at.piece].to);
       if (at.friction < p.jumps.size()) next = std::min(next, p.jumps[at.friction]);
@@ -175,33 +175,33 @@ class Gap {
     }
   }
 
-  Ball smooth(std::size_t i, const Part& part, const Ball& t) const {
+  Ball smooth(std::size_t i, const CellPolynomial& part, const Ball& t) const {
     Ball far;
     for (std::size_t p = degree + 1; p-- > 0;) far = far * t + far_[p][i];
     return horner(part.given, t) - far * per_pi_;
   }
 
-  Ball smooth_slope(std::size_t i, const Part& part, const Ball& t) const {
+  Ball smooth_slope(std::size_t i, const CellPolynomial& part, const Ball& t) const {
     Ball far, given;
     for (std::size_t p = degree + 1; p-- > 1;) far = far * t + Ball(static_cast<int>(p)) * far_[p][i];
     for (std::size_t p = part.given.size(); p-- > 1;) given = given * t + Ball(static_cast<int>(p)) * part.given[p];
     return given - far * per_pi_;
   }
 
-  Ball at(std::size_t i, const Part& part, const Ball& t) const {
+  Ball at(std::size_t i, const CellPolynomial& part, const Ball& t) const {
     Ball value = smooth(i, part, t);
     for_near(i, [&](const Ball& factor, const Ball& tau) { value += factor * l(t - tau); });
     return value;
   }
 
-  Ball mean_of(std::size_t i, const std::vector<Part>& parts) const {
+  Ball mean_of(std::size_t i, const std::vector<CellPolynomial>& parts) const {
     const auto integral = [](const std::vector<Ball>& p, const Ball& from, const Ball& to) {
       std::vector<Ball> primitive{Ball()};
       for (std::size_t k = 0; k < p.size(); ++k) primitive.push_back(p[k] / Ball(static_cast<int>(k + 1)));
       return horner(primitive, to) - horner(primitive, from);
     };
     Ball sum;
-    for (const Part& part : parts) sum += integral(part.given, part.from, part.to);
+    for (const CellPolynomial& part : parts) sum += integral(part.given, part.from, part.to);
     std::vector<Ball> far;
     for (std::size_t p = 0; p <= degree; ++p) far.push_back(far_[p][i]);
     const Ball half(0.5);
@@ -218,7 +218,7 @@ class Gap {
   }
 
   /// Checks H >= level_ on [t0, t1].
-  void check(std::size_t i, const Part& part, const Ball& t0, const Ball& t1, int halvings) {
+  void check(std::size_t i, const CellPolynomial& part, const Ball& t0, const Ball& t1, int halvings) {
     ++intervals_;
     const Ball middle = ((t0 + t1) * Ball(0.5)).middle();
     const Ball all = hull(t0, t1);

@@ -10,10 +10,10 @@
 namespace steadyslide::checker {
 namespace {
 
-using Kind = Point::Contact;
+using Kind = LayoutPoint::Contact;
 
 template <class Is>
-std::vector<std::size_t> those_of(const std::vector<Point>& points, const Is& is) {
+std::vector<std::size_t> those_of(const std::vector<LayoutPoint>& points, const Is& is) {
   std::vector<std::size_t> result;
   for (std::size_t j = 0; j < points.size(); ++j) {
     if (is(points[j])) result.push_back(j);
@@ -29,8 +29,8 @@ Ball read_ball(const Reader& at, int bits) {
   return ball;
 }
 
-Point read_point(const Reader& at, int bits, std::vector<Ball>& log_offsets) {
-  Point point;
+LayoutPoint read_point(const Reader& at, int bits, std::vector<Ball>& log_offsets) {
+  LayoutPoint point;
   if (at.has("side")) {
     at.check_keys({"anchor", "side", "log_offset", "contact", "free"});
     point.side = at["side"].choice({"left", "right"}) == 0 ? -1 : 1;
@@ -114,10 +114,10 @@ void read_boxes(const Reader& at, const ReducedProblem& problem, Certificate& c)
 }  // namespace
 
 std::vector<std::size_t> Layout::all(Kind kind) const {
-  return those_of(points, [&](const Point& point) { return point.contact == kind; });
+  return those_of(points, [&](const LayoutPoint& point) { return point.contact == kind; });
 }
 
-std::vector<std::size_t> Layout::free_ends() const { return those_of(points, std::mem_fn(&Point::is_free)); }
+std::vector<std::size_t> Layout::free_ends() const { return those_of(points, std::mem_fn(&LayoutPoint::is_free)); }
 
 int Layout::degree_at_infinity() const {
   return static_cast<int>(free_ends().size()) - static_cast<int>(all(Kind::begins).size());

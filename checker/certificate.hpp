@@ -13,7 +13,7 @@ namespace steadyslide::checker {
 class Reader;
 
 /// A point of the surface: an anchor, or a free end of contact at the distance h = exp(log_offset) beside one.
-struct Point {
+struct LayoutPoint {
   enum class Contact { interior, outside, begins, ends };
 
   std::size_t anchor = 0;
@@ -26,12 +26,12 @@ struct Point {
 
 /// The topology of the contact: its points, and the segments between neighbours.
 struct Layout {
-  std::vector<Point> points;           ///< left to right
+  std::vector<LayoutPoint> points;     ///< left to right
   std::vector<bool> in_contact;        ///< for segment k, between points k and k + 1
   std::vector<std::size_t> intervals;  ///< the interval between anchors that contains segment k
 
   /// Returns the points at which contact begins, or ends, from left to right.
-  std::vector<std::size_t> all(Point::Contact kind) const;
+  std::vector<std::size_t> all(LayoutPoint::Contact kind) const;
   std::vector<std::size_t> free_ends() const;
   /// Returns the number of free ends minus the number of components: the degree S of Y at infinity.
   int degree_at_infinity() const;

@@ -7,7 +7,7 @@
 namespace steadyslide::checker {
 namespace {
 
-using Kind = Point::Contact;
+using Kind = LayoutPoint::Contact;
 
 /// Returns the gaps as pairs of points, where contact ends and begins again.
 std::vector<std::pair<std::size_t, std::size_t>> gaps(const Contact& contact) {
@@ -32,7 +32,7 @@ Ball integral_of_YB(const TractionRepresentation& form, std::size_t k, const Pow
   const Contact& contact = form.contact();
   const Trapezoid rule = panel.rule(form.bits());
   const auto place = [&](const Ball& u, const Ball& v) {
-    return Place{panel.i, panel.j, panel.start + u, panel.end + v};
+    return SurfacePoint{panel.i, panel.j, panel.start + u, panel.end + v};
   };
   Ball total, weights, integrals;
   slong largest = rule.nodes().front().weight.exponent();
@@ -81,7 +81,7 @@ Ball gap_error(const TractionRepresentation& form, std::size_t j, std::size_t i)
   const Contact& contact = form.contact();
   const std::size_t cut = longest_segment(contact, j, i);
   const Ball half = contact.length(cut) * Ball(0.5);
-  const Place middle{cut, cut + 1, half, half};
+  const SurfacePoint middle{cut, cut + 1, half, half};
   return gap_at(form, j, middle) - gap_at(form, i, middle);
 }
 
@@ -114,7 +114,7 @@ Ball slope_difference(const Contact& contact, std::size_t segment, std::size_t k
   return sum * (to - from);
 }
 
-Ball gap_at(const TractionRepresentation& form, std::size_t end, const Place& at) {
+Ball gap_at(const TractionRepresentation& form, std::size_t end, const SurfacePoint& at) {
   const Contact& contact = form.contact();
   const bool rightwards = end <= at.left;
   const std::size_t k = contact.slope_of(rightwards ? end - 1 : end);
@@ -122,7 +122,7 @@ Ball gap_at(const TractionRepresentation& form, std::size_t end, const Place& at
   const std::size_t last = rightwards ? at.left : end;
   Ball sum;
   for (std::size_t m = first; m <= last; ++m) {
-    const Point& point = contact.layout().points[m];
+    const LayoutPoint& point = contact.layout().points[m];
     if (!point.is_free()) sum += Ball(contact.problem().steps[point.anchor], contact.precision());
     if (m < last) sum += slope_difference(contact, m, k, Ball(), contact.length(m));
   }

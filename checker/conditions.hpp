@@ -18,7 +18,7 @@ namespace steadyslide::checker {
 Ball slope_difference(const Contact& contact, std::size_t segment, std::size_t k, const Ball& from, const Ball& to);
 /// Returns the gap at a place outside the contact, starting from the end of contact at point `end`:
 /// steps + int (g - g_k) + int Y B_k.
-Ball gap_at(const TractionRepresentation& form, std::size_t end, const Place& at);
+Ball gap_at(const TractionRepresentation& form, std::size_t end, const SurfacePoint& at);
 /// Returns the longest segment between points j and i. In its middle a gap changes from one B_k to the other.
 std::size_t longest_segment(const Contact& contact, std::size_t j, std::size_t i);
 

@@ -6,7 +6,7 @@
 
 namespace steadyslide::checker {
 
-using Kind = Point::Contact;
+using Kind = LayoutPoint::Contact;
 
 Contact::Contact(const ReducedProblem& problem, const Layout& layout, const std::vector<Ball>& log_offsets,
                  slong precision)
@@ -18,7 +18,7 @@ Contact::Contact(const ReducedProblem& problem, const Layout& layout, const std:
 
 void Contact::place_points(const std::vector<Ball>& log_offsets) {
   std::size_t free = 0;
-  for (const Point& point : layout_->points) {
+  for (const LayoutPoint& point : layout_->points) {
     offset_.push_back(point.side == 0 ? Ball().rounded(precision_)
                                       : Ball(point.side) * exp(log_offsets[free++].rounded(precision_)));
     xi_.push_back(Ball(problem_->anchors[point.anchor], precision_) + offset_.back());
@@ -47,7 +47,7 @@ void Contact::find_powers() {
   sign_.resize(segments());
   int n = 0;  // sigma outside the contact; inside it is m, with sigma = alpha + m + 1/2
   for (std::size_t j = points(); j-- > 0;) {
-    const Point& point = layout_->points[j];
+    const LayoutPoint& point = layout_->points[j];
     if (point.contact == Kind::ends) {
       power_[j] = point.is_free() ? half + alpha(j - 1) : alpha(j - 1) - half;
       n -= point.is_free() ? 0 : 1;
@@ -70,14 +70,14 @@ void Contact::find_powers() {
 }
 
 bool Contact::same_power(std::size_t i, std::size_t j) const {
-  const Point& a = layout_->points[i];
-  const Point& b = layout_->points[j];
-  const auto contact_at = [](std::size_t k, const Point& p) { return p.contact == Kind::ends ? k - 1 : k; };
+  const LayoutPoint& a = layout_->points[i];
+  const LayoutPoint& b = layout_->points[j];
+  const auto contact_at = [](std::size_t k, const LayoutPoint& p) { return p.contact == Kind::ends ? k - 1 : k; };
   return a.contact == b.contact && a.is_end() && a.is_free() == b.is_free() &&
          s(contact_at(i, a)) == s(contact_at(j, b));
 }
 
-Ball Contact::modulus(const Place& at, std::size_t but) const {
+Ball Contact::modulus(const SurfacePoint& at, std::size_t but) const {
   Ball sum;
   for (std::size_t j = 0; j < points(); ++j) {
     if (j != but && !power_[j].is_zero()) sum += power_[j] * log(distance(at, j));

@@ -16,7 +16,7 @@
 namespace steadyslide::checker {
 
 /// A place between two points, given by its distances from both. Distances to all other points are sums.
-struct Place {
+struct SurfacePoint {
   std::size_t left;   ///< the point on the left
   std::size_t right;  ///< the point on the right
   Ball from_left;
@@ -39,7 +39,7 @@ class Contact {
   const Rational& s(std::size_t segment) const { return problem_->s[layout_->intervals[segment]]; }
   /// True if point j is an anchor inside the contact at which the polynomial changes.
   bool changes_slope(std::size_t j) const {
-    return layout_->points[j].contact == Point::Contact::interior && slope_of(j - 1) != slope_of(j);
+    return layout_->points[j].contact == LayoutPoint::Contact::interior && slope_of(j - 1) != slope_of(j);
   }
 
   const Ball& xi(std::size_t j) const { return xi_[j]; }
@@ -51,15 +51,15 @@ class Contact {
   /// Returns the distance from point i to point j >= i.
   Ball distance(std::size_t i, std::size_t j) const;
   Ball length(std::size_t segment) const { return distance(segment, segment + 1); }
-  Ball xi(const Place& at) const { return xi_[at.left] + at.from_left; }
-  Ball distance(const Place& at, std::size_t j) const {
+  Ball xi(const SurfacePoint& at) const { return xi_[at.left] + at.from_left; }
+  Ball distance(const SurfacePoint& at, std::size_t j) const {
     return j <= at.left ? distance(j, at.left) + at.from_left : distance(at.right, j) + at.from_right;
   }
   Ball cosine(std::size_t segment) const { return cosine_[segment]; }
   /// Returns eps in contact, and the sign of Y outside.
   int sign(std::size_t segment) const { return sign_[segment]; }
   /// Returns |Y| without the factor of point `but` (with all factors if `but` is not a point).
-  Ball modulus(const Place& at, std::size_t but) const;
+  Ball modulus(const SurfacePoint& at, std::size_t but) const;
 
   int degree_at_infinity() const { return degree_; }
   /// Returns y_n in Y = z^S (y_0 + y_1/z + ...); 0 for n < 0.

@@ -6,11 +6,11 @@
 namespace steadyslide::checker {
 
 std::optional<Interpolant> Interpolant::of(const TractionRepresentation& form, slong bits, std::size_t k,
-                                           const Place& start, const Ball& length) {
+                                           const SurfacePoint& start, const Ball& length) {
   const slong precision = form.contact().precision();
   const Ball half = length * Ball(0.5);
-  const Place panel{start.left, start.right, start.from_left + hull(Ball(), length),
-                    start.from_right - hull(Ball(), length)};
+  const SurfacePoint panel{start.left, start.right, start.from_left + hull(Ball(), length),
+                           start.from_right - hull(Ball(), length)};
   const std::vector<TractionRepresentation::Piece> pieces = form.other_pieces(k, panel);
   Interpolant result;
   std::vector<Ball> growth;  // z

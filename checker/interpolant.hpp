@@ -24,7 +24,7 @@ class Interpolant {
   /// Returns B_k over `length` from the place `start`, to 2^-bits of its integrals with absolute values. Absent if a
   /// segment with another polynomial is closer than an eighth of the length.
   static std::optional<Interpolant> of(const TractionRepresentation& form, slong bits, std::size_t k,
-                                       const Place& start, const Ball& length);
+                                       const SurfacePoint& start, const Ball& length);
 
   /// Returns a ball that contains all values on the panel.
   Ball range() const;

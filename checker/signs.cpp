@@ -10,7 +10,7 @@
 namespace steadyslide::checker {
 namespace {
 
-using Kind = Point::Contact;
+using Kind = LayoutPoint::Contact;
 
 constexpr std::size_t most_intervals = 20000;
 constexpr int most_halvings = 400;
@@ -36,11 +36,12 @@ class HalfSegment {
   Ball half() const { return length_ * Ball(0.5); }
   /// Returns dx/dd.
   Ball orientation() const { return from_left_ ? 1 : -1; }
-  Place at(const Ball& d) const {
-    return from_left_ ? Place{segment_, segment_ + 1, d, length_ - d} : Place{segment_, segment_ + 1, length_ - d, d};
+  SurfacePoint at(const Ball& d) const {
+    return from_left_ ? SurfacePoint{segment_, segment_ + 1, d, length_ - d}
+                      : SurfacePoint{segment_, segment_ + 1, length_ - d, d};
   }
   /// Returns the left end of u <= d <= v.
-  Place leftmost(const Ball& u, const Ball& v) const { return at(from_left_ ? u : v); }
+  SurfacePoint leftmost(const Ball& u, const Ball& v) const { return at(from_left_ ? u : v); }
   /// Returns int (g - g_k) dx over u <= d <= v.
   Ball slope_difference(std::size_t k, const Ball& u, const Ball& v) const {
     return from_left_ ? checker::slope_difference(*contact_, segment_, k, u, v)
@@ -89,7 +90,7 @@ class Prover {
 
   /// Refuses contact and ends of contact at anchors where they are impossible for any values of the unknowns.
   void check_anchor(std::size_t j) const {
-    const Point& point = contact_.layout().points[j];
+    const LayoutPoint& point = contact_.layout().points[j];
     if (point.is_free()) return;
     const std::string at = "at x = " + contact_.problem().places[point.anchor].text();
     if (point.contact == Kind::interior && step(j).sign() != 0) {
@@ -249,7 +250,7 @@ class Prover {
     count(result_.in_gaps, half, u, depth, "gap > 0");
     const std::size_t base = half.base() == origin_ ? origin_ : none;
     const Ball p = base == origin_ ? contact_.power_at(origin_) : Ball();
-    const Place all = half.at(hull(u, v));
+    const SurfacePoint all = half.at(hull(u, v));
     const Ball sign = direction_ * Ball(contact_.sign(half.segment()));
     const Ball f = sign * contact_.modulus(all, base) * values(half, k_, u, v);
     const Ball weight = (power(v, p + Ball(1)) - power(u, p + Ball(1))) / (p + Ball(1));

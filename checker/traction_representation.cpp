@@ -184,7 +184,7 @@ bool TractionRepresentation::add_far_cauchy(std::size_t i, std::size_t k, const 
   return true;
 }
 
-TractionRepresentation::Value TractionRepresentation::regular(std::size_t k, const Place& at,
+TractionRepresentation::Value TractionRepresentation::regular(std::size_t k, const SurfacePoint& at,
                                                               std::size_t without) const {
   const Ball x = contact_->xi(at);
   const std::vector<Ball>& p = polynomials_[k];
@@ -197,20 +197,21 @@ TractionRepresentation::Value TractionRepresentation::regular(std::size_t k, con
   return result;
 }
 
-TractionRepresentation::Value TractionRepresentation::regular_to(slong bits, std::size_t k, const Place& at) const {
+TractionRepresentation::Value TractionRepresentation::regular_to(slong bits, std::size_t k,
+                                                                 const SurfacePoint& at) const {
   Value result = sums_to(bits, k, at);
   result.value = result.value.widened(result.error);
   return result;
 }
 
-TractionRepresentation::Value TractionRepresentation::sums_to(slong bits, std::size_t k, const Place& at) const {
+TractionRepresentation::Value TractionRepresentation::sums_to(slong bits, std::size_t k, const SurfacePoint& at) const {
   Value result{horner(polynomials_[k], contact_->xi(at)), {}, {}, {}};
   for (std::size_t i = 0; i < integrals_.size(); ++i) add_cauchy(i, k, at, false, bits, result);
   return result;
 }
 
-void TractionRepresentation::add_cauchy(std::size_t i, std::size_t k, const Place& at, bool with_slope, slong bits,
-                                        Value& result) const {
+void TractionRepresentation::add_cauchy(std::size_t i, std::size_t k, const SurfacePoint& at, bool with_slope,
+                                        slong bits, Value& result) const {
   if (!integrals_[i] || contact_->slope_of(i) == k) return;
   const Integral& integral = *integrals_[i];
   const std::vector<Trapezoid::Node>& nodes = integral.rule.nodes();
@@ -257,13 +258,14 @@ void TractionRepresentation::add_cauchy(std::size_t i, std::size_t k, const Plac
   result.slope -= slope.widened(integral.rule.error(2, M, Ball(squares) + rest_of_squares) + M * rest_of_squares);
 }
 
-TractionRepresentation::Near TractionRepresentation::near(std::size_t i, const Place& at) const {
+TractionRepresentation::Near TractionRepresentation::near(std::size_t i, const SurfacePoint& at) const {
   if (at.right <= i) return {contact_->distance(at.right, i) + at.from_right, true};
   if (i + 1 > at.left) throw Unproved("B is asked for inside a piece with another polynomial");
   return {contact_->distance(i + 1, at.left) + at.from_left, false};
 }
 
-std::vector<TractionRepresentation::Piece> TractionRepresentation::other_pieces(std::size_t k, const Place& at) const {
+std::vector<TractionRepresentation::Piece> TractionRepresentation::other_pieces(std::size_t k,
+                                                                                const SurfacePoint& at) const {
   std::vector<Piece> result;
   for (std::size_t i = 0; i < integrals_.size(); ++i) {
     if (!integrals_[i] || contact_->slope_of(i) == k) continue;
@@ -275,10 +277,10 @@ std::vector<TractionRepresentation::Piece> TractionRepresentation::other_pieces(
 }
 
 Ball TractionRepresentation::at_end(std::size_t j) const {
-  const bool begins = contact_->layout().points[j].contact == Point::Contact::begins;
+  const bool begins = contact_->layout().points[j].contact == LayoutPoint::Contact::begins;
   const std::size_t segment = begins ? j : j - 1;
   const Ball length = contact_->length(segment);
-  const Place at = begins ? Place{j, j + 1, Ball(), length} : Place{j - 1, j, length, Ball()};
+  const SurfacePoint at = begins ? SurfacePoint{j, j + 1, Ball(), length} : SurfacePoint{j - 1, j, length, Ball()};
   return regular_to(bits_ + 8, contact_->slope_of(segment), at).value;
 }
 
@@ -287,7 +289,7 @@ Ball TractionRepresentation::polynomial_bound(std::size_t k, const Ball& centre,
 }
 
 std::vector<Ball> TractionRepresentation::moments(std::size_t count) const {
-  const std::size_t k = contact_->slope_of(contact_->layout().all(Point::Contact::begins).front());
+  const std::size_t k = contact_->slope_of(contact_->layout().all(LayoutPoint::Contact::begins).front());
   std::vector<Ball> result;
   for (std::size_t j = 0; j < count; ++j) {
     result.push_back(contact_->coefficient(slopes_[k], -static_cast<int>(j) - 1));

@@ -60,11 +60,11 @@ class TractionRepresentation {
     Ball error;      ///< largest difference between the rules' sums and the integrals
   };
   /// Returns B_k at a place (or an interval of places), where k is a slope. A segment may be left out of the integrals.
-  Value regular(std::size_t k, const Place& at, std::size_t without = none) const;
+  Value regular(std::size_t k, const SurfacePoint& at, std::size_t without = none) const;
   /// The same without the derivative; the integrals have an error of 2^-bits of their size with absolute values.
-  Value regular_to(slong bits, std::size_t k, const Place& at) const;
+  Value regular_to(slong bits, std::size_t k, const SurfacePoint& at) const;
   /// The same with the rules' sums instead of the integrals.
-  Value sums_to(slong bits, std::size_t k, const Place& at) const;
+  Value sums_to(slong bits, std::size_t k, const SurfacePoint& at) const;
   /// A segment with an integral of B_k: a lower bound of its distance from a place; an upper bound of (1/pi) int cos(pi
   /// alpha) |g - g_k|/|Y| dx' over it and of the rule's sum; the rule's relative error with a pole.
   struct Piece {
@@ -72,7 +72,7 @@ class TractionRepresentation {
     Ball size;
     Ball relative_error;
   };
-  std::vector<Piece> other_pieces(std::size_t k, const Place& at) const;
+  std::vector<Piece> other_pieces(std::size_t k, const SurfacePoint& at) const;
   /// Returns the number of coefficients of [(g_k + tilt)/Y]_poly - q/pi, which is its degree plus 1.
   std::size_t terms(std::size_t k) const { return polynomials_[k].size(); }
   /// Returns B_k at an end of contact, where k is the slope of the contact.
@@ -102,12 +102,12 @@ class TractionRepresentation {
     Ball near;
     bool on_right;
   };
-  Near near(std::size_t segment, const Place& at) const;
+  Near near(std::size_t segment, const SurfacePoint& at) const;
   /// Adds the sum over the nodes by moments, at x = middle + D. Returns false if the place is too near or D is too
   /// wide.
   bool add_far_cauchy(std::size_t segment, std::size_t k, const Ball& near, bool on_right, slong bits,
                       Value& result) const;
-  void add_cauchy(std::size_t segment, std::size_t k, const Place& at, bool with_slope, slong bits,
+  void add_cauchy(std::size_t segment, std::size_t k, const SurfacePoint& at, bool with_slope, slong bits,
                   Value& result) const;
 
   const Contact* contact_;

@@ -42,7 +42,7 @@ struct Series {
 };
 
 /// In the units of the axes or, as `of_panel_` sets it, as a fraction of the panel's width or height.
-struct Place {
+struct PanelPosition {
   double x;
   double y;
   bool of_panel_x = false;
@@ -52,7 +52,7 @@ struct Place {
 enum class Align { left, centre, right };
 
 struct Note {
-  Place at;
+  PanelPosition at;
   std::string text;
   Align align = Align::left;
   int size = 14;
@@ -61,8 +61,8 @@ struct Note {
 
 /// A thin line, or an arrow.
 struct Guide {
-  Place from;
-  Place to;
+  PanelPosition from;
+  PanelPosition to;
   bool arrow = false;
 };
 

@@ -93,7 +93,7 @@ class Script {
 
   std::string number(double value) const { return fmt::format("{:.{}g}", value, figure_.digits); }
   std::string coordinate(double value, bool of_panel) const { return (of_panel ? "graph " : "first ") + number(value); }
-  std::string place_text(const Place& place) const {
+  std::string place_text(const PanelPosition& place) const {
     return coordinate(place.x, place.of_panel_x) + ", " + coordinate(place.y, place.of_panel_y);
   }
 

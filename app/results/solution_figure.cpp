@@ -22,7 +22,7 @@ constexpr double largest_over_mean = 6;
 constexpr std::size_t label_rows = 3;
 constexpr double row_height = 0.072, character_width = 0.0125;
 
-struct Range {
+struct ValueRange {
   double from = std::numeric_limits<double>::infinity();
   double to = -std::numeric_limits<double>::infinity();
 
@@ -111,7 +111,7 @@ class SolutionFigure {
       if (left == right) surface.points.push_back({value_of(x), left - value_of(sample.gap.value)});
     }
     add_breaks(profile.points);
-    Range y;
+    ValueRange y;
     for (const Series* series : {&profile, &surface}) {
       for (const Point& point : series->points) {
         if (!std::isnan(point.y)) y.include(point.y);
@@ -165,7 +165,7 @@ class SolutionFigure {
       add(pressure.points, x, -value_of(sample.traction.left.value), -value_of(sample.traction.right.value));
       add(shear.points, x, value_of(sample.shear.left.value), value_of(sample.shear.right.value));
     }
-    const Range y = traction_range(pressure.points, shear.points);
+    const ValueRange y = traction_range(pressure.points, shear.points);
     if (is_infinite()) pressure.legend += fmt::format(", cut at {:.3g}", y.to);
     Panel panel{{0.12, 0.98, 0.105, 0.485}, across(true), {"traction  (" + stress_unit_ + ")", y.from, y.to}};
     panel.series = {std::move(pressure), std::move(shear)};
@@ -185,8 +185,8 @@ class SolutionFigure {
     if (std::isfinite(right) && right != left) points.push_back({x, right});
   }
 
-  Range traction_range(const std::vector<Point>& pressure, const std::vector<Point>& shear) const {
-    Range y{0, 0};
+  ValueRange traction_range(const std::vector<Point>& pressure, const std::vector<Point>& shear) const {
+    ValueRange y{0, 0};
     for (const Point& point : pressure) {
       if (!std::isnan(point.y)) y.include(point.y);
     }
@@ -231,7 +231,7 @@ class SolutionFigure {
   const SolutionText& solution_;
   std::string length_unit_ = "user's unit of length";
   std::string stress_unit_ = "user's unit of stress";
-  Range contact_, x_;
+  ValueRange contact_, x_;
   double contact_length_ = 0;
 };
 

@@ -162,16 +162,16 @@ Ball ContactConditions::gap_condition(const ContactSet::Run& gap) const {
   for (std::size_t j = gap.first; j <= gap.last + 1; ++j) sum += set_.step(j);
   for (const SegmentPart& part : parts_of(gap)) {
     const std::size_t k = form_.slope_of(part.contact);
-    const std::vector<ContactPanel::Part> pieces = ContactPanel::graded(set_, part.segment, part.extent);
+    const std::vector<ContactPanel::Interval> pieces = ContactPanel::graded(set_, part.segment, part.extent);
     if (2 * static_cast<Bits>(pieces.size()) * form_.count() > set_.bits()) form_.prepare(k, part.segment);
-    for (const ContactPanel::Part& piece : pieces) {
+    for (const ContactPanel::Interval& piece : pieces) {
       sum += form_.gap_change(piece, k);
     }
   }
   return sum;
 }
 
-Ball ContactConditions::gap_at(const Place& place) const {
+Ball ContactConditions::gap_at(const SurfacePoint& place) const {
   std::size_t first = place.segment;
   std::size_t last = place.segment;
   while (first > 0 && !set_.in_contact(first - 1)) --first;
@@ -185,9 +185,9 @@ Ball ContactConditions::gap_at(const Place& place) const {
 
   const std::size_t k = form_.slope_of(left ? first - 1 : last + 1);
   // Integrates over parts of segments outside the contact, from left to right.
-  const auto change = [&](const std::vector<ContactPanel::Part>& parts) {
+  const auto change = [&](const std::vector<ContactPanel::Interval>& parts) {
     Ball sum(0, set_.bits());
-    for (const ContactPanel::Part& part : parts) sum += form_.gap_change(part, k);
+    for (const ContactPanel::Interval& part : parts) sum += form_.gap_change(part, k);
     return sum;
   };
   Ball sum = left ? set_.step(first) : -set_.step(last + 1);
@@ -196,7 +196,7 @@ Ball ContactConditions::gap_at(const Place& place) const {
     sum += left ? risen + set_.step(m + 1) : -risen - set_.step(m);
   }
   const bool whole = (left ? place.from_right : place.from_left).is_zero();
-  const ContactPanel::Range range{Ball(0, set_.bits()), left ? place.from_left : place.from_right};
+  const ContactPanel::DistanceRange range{Ball(0, set_.bits()), left ? place.from_left : place.from_right};
   const Ball risen = change(whole ? ContactPanel::graded(set_, place.segment)
                                   : ContactPanel::outward(set_, place.segment, left ? Side::left : Side::right, range));
   return left ? sum + risen : sum - risen;
@@ -229,7 +229,7 @@ std::vector<Ball> ContactConditions::gap_derivatives(const ContactSet::Run& gap,
   std::vector<Ball> row(polynomials.size(), Ball(0, bits));
   for (std::size_t segment = gap.first; segment <= gap.last; ++segment) {
     const Ball sign(set_.sign(segment));
-    for (ContactPanel::Part& piece : ContactPanel::graded(set_, segment)) {
+    for (ContactPanel::Interval& piece : ContactPanel::graded(set_, segment)) {
       const ContactPanel panel = form_.panel(piece);
       for (std::size_t i = 0; i < polynomials.size(); ++i) {
         const auto term = [&](const ContactPanel::Node& node) {

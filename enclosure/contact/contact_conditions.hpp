@@ -48,7 +48,7 @@ class ContactConditions {
   Ball centre_of_pressure() const;
   /// Returns the gap at a place in a segment outside the contact. The place must be thin. Not finite if there is no
   /// contact on either side.
-  Ball gap_at(const Place& place) const;
+  Ball gap_at(const SurfacePoint& place) const;
 
  private:
   /// Returns int eps cos(pi alpha) (g - g_k)/|Y| x^j dx over the contact.

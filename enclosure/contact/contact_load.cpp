@@ -56,7 +56,7 @@ TractionRule::Singular ContactLoad::singular_term(std::size_t c, std::size_t seg
   return result;
 }
 
-TractionRule ContactLoad::rule(ContactPanel::Part part) const {
+TractionRule ContactLoad::rule(ContactPanel::Interval part) const {
   const std::size_t segment = part.segment;
   const std::size_t k = form_.slope_of(segment);
   const std::size_t c = part.touches == Side::right ? segment + 1 : segment;
@@ -81,16 +81,16 @@ TractionRule ContactLoad::rule(ContactPanel::Part part) const {
   return result;
 }
 
-std::vector<TractionRule> ContactLoad::rules(std::size_t segment, const ContactPanel::Range& range,
+std::vector<TractionRule> ContactLoad::rules(std::size_t segment, const ContactPanel::DistanceRange& range,
                                              const Longest& longest) const {
-  std::vector<ContactPanel::Part> parts;
-  const auto outward = [&](Side from, const ContactPanel::Range& distances) {
+  std::vector<ContactPanel::Interval> parts;
+  const auto outward = [&](Side from, const ContactPanel::DistanceRange& distances) {
     const std::size_t j = from == Side::left ? segment : segment + 1;
     // If the polynomial changes, use a panel with a fifth of the length of the one on the other side.
     std::optional<Ball> first;
     if (changes_polynomial(j)) first = facing_panel(j, segment).part().length / Ball(5);
-    for (ContactPanel::Part& part : ContactPanel::outward(set_, segment, from, distances, first)) {
-      for (ContactPanel::Part& piece : ContactPanel::divided(std::move(part), longest)) {
+    for (ContactPanel::Interval& part : ContactPanel::outward(set_, segment, from, distances, first)) {
+      for (ContactPanel::Interval& piece : ContactPanel::divided(std::move(part), longest)) {
         parts.push_back(std::move(piece));
       }
     }
@@ -131,7 +131,8 @@ Ball integral(const TractionRule::Singular& term, const BallPolynomial& weight, 
 
 }  // namespace
 
-Ball ContactLoad::load_on(std::size_t segment, const ContactPanel::Range& range, const BallPolynomial& weight) const {
+Ball ContactLoad::load_on(std::size_t segment, const ContactPanel::DistanceRange& range,
+                          const BallPolynomial& weight) const {
   Ball sum(0, set_.bits());
   for (const TractionRule& rule : rules(segment, range, {})) {
     const auto& nodes = rule.panel.nodes();
@@ -140,7 +141,7 @@ Ball ContactLoad::load_on(std::size_t segment, const ContactPanel::Range& range,
     }
     sum = Ball::plus_or_minus(sum, rule.error(rule.panel.largest(weight, Ellipse::far)));
     if (!rule.singular) continue;
-    const ContactPanel::Part& part = rule.panel.part();
+    const ContactPanel::Interval& part = rule.panel.part();
     const Ball& c = set_.x(part.touches == Side::right ? segment + 1 : segment);
     sum += integral(*rule.singular, shifted(weight, c), part.length);
   }

@@ -45,11 +45,12 @@ class ContactLoad {
   Ball load_on(std::size_t segment) const;
   /// Returns the integral between two distances from the segment's left point; the second may be the segment's length.
   /// `weight` is a polynomial in xi.
-  Ball load_on(std::size_t segment, const ContactPanel::Range& range, const BallPolynomial& weight) const;
+  Ball load_on(std::size_t segment, const ContactPanel::DistanceRange& range, const BallPolynomial& weight) const;
 
   /// Returns rules for such a range. `longest` returns the largest length of a panel for a part of the segment.
-  using Longest = std::function<Ball(const ContactPanel::Part&)>;
-  std::vector<TractionRule> rules(std::size_t segment, const ContactPanel::Range& range, const Longest& longest) const;
+  using Longest = std::function<Ball(const ContactPanel::Interval&)>;
+  std::vector<TractionRule> rules(std::size_t segment, const ContactPanel::DistanceRange& range,
+                                  const Longest& longest) const;
 
  private:
   bool changes_polynomial(std::size_t j) const;
@@ -59,7 +60,7 @@ class ContactLoad {
   /// that touches c.
   Ball bound_beside(std::size_t c, const ContactPanel& panel) const;
   TractionRule::Singular singular_term(std::size_t c, std::size_t segment) const;
-  TractionRule rule(ContactPanel::Part part) const;
+  TractionRule rule(ContactPanel::Interval part) const;
 
   const TractionRepresentation& form_;
   const ContactSet& set_;

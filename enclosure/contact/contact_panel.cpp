@@ -4,7 +4,7 @@
 
 namespace steadyslide::enclosure {
 
-ContactPanel::ContactPanel(const ContactSet& set, Part part, int n, std::optional<std::size_t> lowered, int count,
+ContactPanel::ContactPanel(const ContactSet& set, Interval part, int n, std::optional<std::size_t> lowered, int count,
                            JacobiRules& rules)
     : part_(std::move(part)), power_(0, set.bits()) {
   const std::size_t k = part_.segment;
@@ -80,8 +80,8 @@ Ball ContactPanel::largest(const BallPolynomial& polynomial, Ellipse ellipse) co
   return bound_within(polynomial, r);
 }
 
-std::vector<ContactPanel::Part> ContactPanel::outward(const ContactSet& set, std::size_t segment, Side from,
-                                                      const Range& range, std::optional<Ball> first) {
+std::vector<ContactPanel::Interval> ContactPanel::outward(const ContactSet& set, std::size_t segment, Side from,
+                                                          const DistanceRange& range, std::optional<Ball> first) {
   constexpr std::size_t most_panels = 4096;  // sufficient for a distance of 1e-1200 of the contact
   const bool left = from == Side::left;
   const Ball& whole = set.length(segment);
@@ -89,7 +89,7 @@ std::vector<ContactPanel::Part> ContactPanel::outward(const ContactSet& set, std
     const Ball& neighbour = set.length(left ? segment - 1 : segment + 1);
     first = first ? min(*first, neighbour) : neighbour;
   }
-  std::vector<Part> result;
+  std::vector<Interval> result;
   Ball at = range.from;
   const Ball hair = Ball(1) + enclosure::power(Ball(2, set.bits()), 16 - static_cast<int>(set.bits()));
   for (bool more = true; more;) {
@@ -108,7 +108,7 @@ std::vector<ContactPanel::Part> ContactPanel::outward(const ContactSet& set, std
     if (!more || Ball(2) * length > left_over) length = more ? (left_over / Ball(2)).lower() : left_over;
     const Ball to = at + length;
     const Ball rest = whole - to;
-    Part part{segment, left ? at : rest, left ? rest : at, length, {}};
+    Interval part{segment, left ? at : rest, left ? rest : at, length, {}};
     if (touches) part.touches = from;
     result.push_back(std::move(part));
     at = to;
@@ -117,24 +117,25 @@ std::vector<ContactPanel::Part> ContactPanel::outward(const ContactSet& set, std
   return result;
 }
 
-std::vector<ContactPanel::Part> ContactPanel::divided(Part part, const std::function<Ball(const Part&)>& longest) {
+std::vector<ContactPanel::Interval> ContactPanel::divided(Interval part,
+                                                          const std::function<Ball(const Interval&)>& longest) {
   if (!longest || part.length.midpoint() <= longest(part).midpoint()) return {std::move(part)};
   const Ball half = (part.length / Ball(2)).midpoint();
   const Ball rest = part.length - half;
-  Part left{part.segment, part.from_left, part.from_right + rest, half, {}};
-  Part right{part.segment, part.from_left + half, part.from_right, rest, {}};
+  Interval left{part.segment, part.from_left, part.from_right + rest, half, {}};
+  Interval right{part.segment, part.from_left + half, part.from_right, rest, {}};
   if (part.touches) (*part.touches == Side::left ? left : right).touches = part.touches;
-  std::vector<Part> result = divided(std::move(left), longest);
-  for (Part& piece : divided(std::move(right), longest)) result.push_back(std::move(piece));
+  std::vector<Interval> result = divided(std::move(left), longest);
+  for (Interval& piece : divided(std::move(right), longest)) result.push_back(std::move(piece));
   return result;
 }
 
-std::vector<ContactPanel::Part> ContactPanel::graded(const ContactSet& set, std::size_t segment, Extent extent) {
-  const Range half{Ball(0, set.bits()), set.length(segment) / Ball(2)};
-  std::vector<Part> result;
+std::vector<ContactPanel::Interval> ContactPanel::graded(const ContactSet& set, std::size_t segment, Extent extent) {
+  const DistanceRange half{Ball(0, set.bits()), set.length(segment) / Ball(2)};
+  std::vector<Interval> result;
   if (extent != Extent::right_half) result = outward(set, segment, Side::left, half);
   if (extent != Extent::left_half) {
-    for (Part& part : outward(set, segment, Side::right, half)) result.push_back(std::move(part));
+    for (Interval& part : outward(set, segment, Side::right, half)) result.push_back(std::move(part));
   }
   return result;
 }

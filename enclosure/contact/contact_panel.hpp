@@ -25,7 +25,7 @@ enum class Ellipse { close, beside, far };
 
 class ContactPanel {
  public:
-  struct Part {
+  struct Interval {
     std::size_t segment;
     Ball from_left;   ///< from the segment's left point to the panel's left end; exactly 0 if they touch
     Ball from_right;  ///< from the panel's right end to the segment's right point
@@ -40,10 +40,10 @@ class ContactPanel {
   };
 
   /// `lowered` is the point whose power is one less than in |Y|^n.
-  ContactPanel(const ContactSet& set, Part part, int n, std::optional<std::size_t> lowered, int count,
+  ContactPanel(const ContactSet& set, Interval part, int n, std::optional<std::size_t> lowered, int count,
                JacobiRules& rules);
 
-  const Part& part() const { return part_; }
+  const Interval& part() const { return part_; }
   const std::vector<Node>& nodes() const { return nodes_; }
   /// Returns the exponent a at the point that the panel touches.
   const Ball& power() const { return power_; }
@@ -72,21 +72,21 @@ class ContactPanel {
   Ball largest(const BallPolynomial& polynomial, Ellipse ellipse) const;
 
   /// Distances from one of a segment's points, from < to. The smaller one may be exactly 0.
-  struct Range {
+  struct DistanceRange {
     Ball from;
     Ball to;
   };
   /// Returns panels that fill such a range, from left to right. The range must end before the segment's other point.
   /// Each panel is not longer than its distance from any point that it does not touch; the one that touches the point
   /// is also not longer than `first`.
-  static std::vector<Part> outward(const ContactSet& set, std::size_t segment, Side from, const Range& range,
-                                   std::optional<Ball> first = std::nullopt);
+  static std::vector<Interval> outward(const ContactSet& set, std::size_t segment, Side from,
+                                       const DistanceRange& range, std::optional<Ball> first = std::nullopt);
   /// Returns a part divided into halves, repeatedly, until each is not longer than `longest` of it; undivided without
   /// `longest`.
-  static std::vector<Part> divided(Part part, const std::function<Ball(const Part&)>& longest);
+  static std::vector<Interval> divided(Interval part, const std::function<Ball(const Interval&)>& longest);
   /// The same as outward(), for a segment, or for its left or right half.
   enum class Extent { whole, left_half, right_half };
-  static std::vector<Part> graded(const ContactSet& set, std::size_t segment, Extent extent = Extent::whole);
+  static std::vector<Interval> graded(const ContactSet& set, std::size_t segment, Extent extent = Extent::whole);
 
  private:
   struct Bounds {
@@ -96,7 +96,7 @@ class ContactPanel {
     Ball end_remainder;
   };
 
-  Part part_;
+  Interval part_;
   Ball power_;
   std::vector<Node> nodes_;
   std::array<Bounds, 3> bounds_;

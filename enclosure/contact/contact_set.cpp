@@ -70,9 +70,9 @@ Ball ContactSet::step(std::size_t j) const {
   return point(j).beside ? Ball(0, bits_) : Ball(problem_->anchors[point(j).anchor].step, bits_);
 }
 
-Place ContactSet::place(std::size_t segment, Side from, const Ball& distance) const {
+SurfacePoint ContactSet::place(std::size_t segment, Side from, const Ball& distance) const {
   const Ball rest = length(segment) - distance;
-  return from == Side::left ? Place{segment, distance, rest} : Place{segment, rest, distance};
+  return from == Side::left ? SurfacePoint{segment, distance, rest} : SurfacePoint{segment, rest, distance};
 }
 
 bool ContactSet::is_ordered() const {

@@ -16,7 +16,7 @@ namespace steadyslide::enclosure {
 
 /// A point of the surface: in segment k of the contact set, with its distances from both points, which may be wide
 /// balls. Outside the support it belongs to the outermost segment, with a negative distance from the support's end.
-struct Place {
+struct SurfacePoint {
   std::size_t segment;
   Ball from_left;
   Ball from_right;
@@ -50,9 +50,9 @@ class ContactSet {
   Ball step(std::size_t j) const;
   /// Return the point on that side of a segment, and a place at a distance from it.
   static std::size_t point_of(std::size_t segment, Side side) { return side == Side::left ? segment : segment + 1; }
-  Place place(std::size_t segment, Side from, const Ball& distance) const;
+  SurfacePoint place(std::size_t segment, Side from, const Ball& distance) const;
   /// Returns point j as a place of a segment that it bounds.
-  Place place_of(std::size_t j, std::size_t segment) const {
+  SurfacePoint place_of(std::size_t j, std::size_t segment) const {
     return place(segment, j == segment ? Side::left : Side::right, Ball(0, bits_));
   }
   /// True if the points are in this order for all values in the box.

@@ -54,16 +54,16 @@ class Decision {
   }
 
  private:
-  Place place(const Half& half, const Interval& d) const {
+  SurfacePoint place(const Half& half, const Interval& d) const {
     return set_.place(half.segment, half.from, Ball::hull(d.low, d.high));
   }
 
   static std::size_t point(const Half& half) { return ContactSet::point_of(half.segment, half.from); }
 
-  ContactPanel::Part part(const Half& half, const Interval& d) const {
+  ContactPanel::Interval part(const Half& half, const Interval& d) const {
     const Ball rest = set_.length(half.segment) - d.high;
     const bool left = half.from == Side::left;
-    ContactPanel::Part result{half.segment, left ? d.low : rest, left ? rest : d.low, d.high - d.low, {}};
+    ContactPanel::Interval result{half.segment, left ? d.low : rest, left ? rest : d.low, d.high - d.low, {}};
     if (d.low.is_zero() && !set_.is_regular(point(half))) result.touches = half.from;
     return result;
   }
@@ -253,9 +253,9 @@ class Decision {
         std::vector<Cell> of_half;
         if (start.is_positive()) of_half.push_back(cell({half, {Ball(0, bits_), start}}));
         if (start < end) {
-          std::vector<ContactPanel::Part> parts = ContactPanel::outward(set_, k, side, {start, end});
+          std::vector<ContactPanel::Interval> parts = ContactPanel::outward(set_, k, side, {start, end});
           if (side == Side::right) std::reverse(parts.begin(), parts.end());
-          for (const ContactPanel::Part& p : parts) {
+          for (const ContactPanel::Interval& p : parts) {
             const Ball& low = side == Side::left ? p.from_left : p.from_right;
             of_half.push_back(cell({half, {low, low + p.length}}));
           }

@@ -6,10 +6,12 @@ using Kind = ContactTopology::Kind;
 
 namespace {
 
-bool is_in_support(const Place& place) { return !place.from_left.is_negative() && !place.from_right.is_negative(); }
+bool is_in_support(const SurfacePoint& place) {
+  return !place.from_left.is_negative() && !place.from_right.is_negative();
+}
 
 /// Returns the point of the contact set at exactly this place.
-std::optional<std::size_t> point_at(const Place& place) {
+std::optional<std::size_t> point_at(const SurfacePoint& place) {
   if (place.from_left.is_zero()) return place.segment;
   if (place.from_right.is_zero()) return place.segment + 1;
   return std::nullopt;
@@ -32,7 +34,7 @@ EnclosedSolution::EnclosedSolution(ContactProblem problem, const ContactProof& p
 Ball EnclosedSolution::user(const Ball& xi) const { return origin_ + unit_ * xi; }
 
 Ball EnclosedSolution::amplitude(std::size_t j, std::size_t segment) const {
-  const Place at = set().place_of(j, segment);
+  const SurfacePoint at = set().place_of(j, segment);
   const LocalValue b = form_.regular_factor(at);
   return Ball(set().sign(segment)) * set().cos_alpha(segment) * form_.modulus(at, j) * b.analytic();
 }
@@ -126,7 +128,7 @@ std::optional<Rational> EnclosedSolution::exact(std::size_t j) const {
   return reduced_->anchors[set().point(j).anchor].x;
 }
 
-Place EnclosedSolution::seen_from(std::size_t segment, const Rational& xi) const {
+SurfacePoint EnclosedSolution::seen_from(std::size_t segment, const Rational& xi) const {
   const Ball at(xi, bits_);
   const std::optional<Rational> left = exact(segment);
   const std::optional<Rational> right = exact(segment + 1);
@@ -134,21 +136,21 @@ Place EnclosedSolution::seen_from(std::size_t segment, const Rational& xi) const
           right ? Ball(Rational(*right - xi), bits_) : set().x(segment + 1) - at};
 }
 
-std::optional<ContactPanel::Range> EnclosedSolution::range(std::size_t segment, const Rational& from,
-                                                           const Rational& to) const {
+std::optional<ContactPanel::DistanceRange> EnclosedSolution::range(std::size_t segment, const Rational& from,
+                                                                   const Rational& to) const {
   const Ball zero(0, bits_);
-  const Place first = seen_from(segment, from);
-  const Place last = seen_from(segment, to);
+  const SurfacePoint first = seen_from(segment, from);
+  const SurfacePoint last = seen_from(segment, to);
   if (first.from_right <= zero || last.from_left <= zero) return std::nullopt;
   const auto clipped = [&](const Ball& inside, const Ball& beyond, const Ball& end) {
     if (beyond <= zero) return end;
     return beyond > zero ? inside : Ball::unknown(bits_);
   };
-  return ContactPanel::Range{clipped(first.from_left, first.from_left, zero),
-                             clipped(last.from_left, last.from_right, set().length(segment))};
+  return ContactPanel::DistanceRange{clipped(first.from_left, first.from_left, zero),
+                                     clipped(last.from_left, last.from_right, set().length(segment))};
 }
 
-std::optional<Place> EnclosedSolution::place(const Rational& x, Side side) const {
+std::optional<SurfacePoint> EnclosedSolution::place(const Rational& x, Side side) const {
   const Rational xi = (x - reduced_->frame.origin) / reduced_->frame.unit;
   const Ball at(xi, bits_);
   const auto segment_at = [&]() -> std::optional<std::size_t> {
@@ -182,7 +184,7 @@ Ball EnclosedSolution::traction_limit(std::size_t j, Side side) const {
   return wedge == 0 ? amplitude(j, segment) : Ball::infinity(-1, bits_);
 }
 
-Ball EnclosedSolution::traction_at(const Place& place) const {
+Ball EnclosedSolution::traction_at(const SurfacePoint& place) const {
   if (!is_in_support(place) || !set().in_contact(place.segment)) return Ball(0, bits_);
   return Ball(set().sign(place.segment)) * set().cos_alpha(place.segment) * form_.modulus(place) *
          form_.regular_factor(place).value();
@@ -198,7 +200,7 @@ Ball EnclosedSolution::slope_limit(std::size_t j, Side side) const {
   return slope_at(beside(j == set().segments() || (side == Side::left && j > 0)));
 }
 
-Ball EnclosedSolution::slope_at(const Place& place) const {
+Ball EnclosedSolution::slope_at(const SurfacePoint& place) const {
   const Ball profile = form_.profile_slope(place);
   if (is_in_support(place) && set().in_contact(place.segment)) return compliance_ * profile;
   // Beyond all points Y has the sign of z^S.
@@ -211,7 +213,7 @@ Ball EnclosedSolution::slope_at(const Place& place) const {
 template <class Limit, class Value>
 EnclosedSolution::TwoSided EnclosedSolution::two_sided(const Rational& x, Limit limit, Value value) const {
   const auto from = [&](Side side) {
-    const std::optional<Place> at = place(x, side);
+    const std::optional<SurfacePoint> at = place(x, side);
     if (!at) return Ball::unknown(bits_);
     const std::optional<std::size_t> point = point_at(*at);
     return point ? limit(*point, side) : value(*at);
@@ -222,18 +224,19 @@ EnclosedSolution::TwoSided EnclosedSolution::two_sided(const Rational& x, Limit 
 EnclosedSolution::TwoSided EnclosedSolution::traction(const Rational& x) const {
   return two_sided(
       x, [&](std::size_t j, Side side) { return traction_limit(j, side); },
-      [&](const Place& at) { return traction_at(at); });
+      [&](const SurfacePoint& at) { return traction_at(at); });
 }
 
 EnclosedSolution::TwoSided EnclosedSolution::slope(const Rational& x) const {
   return two_sided(
-      x, [&](std::size_t j, Side side) { return slope_limit(j, side); }, [&](const Place& at) { return slope_at(at); });
+      x, [&](std::size_t j, Side side) { return slope_limit(j, side); },
+      [&](const SurfacePoint& at) { return slope_at(at); });
 }
 
 std::optional<Ball> EnclosedSolution::gap(const Rational& x) const {
   std::optional<Ball> lowest;  // the lower of the two gaps at a step
   for (const Side side : {Side::left, Side::right}) {
-    const std::optional<Place> at = place(x, side);
+    const std::optional<SurfacePoint> at = place(x, side);
     if (!at) return Ball::unknown(bits_);
     const std::optional<std::size_t> point = point_at(*at);
     // There is no gap outside the support.

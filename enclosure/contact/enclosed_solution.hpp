@@ -42,7 +42,7 @@ class EnclosedSolution {
   // For integrals of the traction: the form, in xi, and the part of a segment between two xi. The part is absent if
   // there is none, and not finite if an end of contact may lie at one of the two xi.
   const TractionRepresentation& form() const { return form_; }
-  std::optional<ContactPanel::Range> range(std::size_t segment, const Rational& from, const Rational& to) const;
+  std::optional<ContactPanel::DistanceRange> range(std::size_t segment, const Rational& from, const Rational& to) const;
   /// Returns t_t/t on a segment.
   Rational shear_ratio(std::size_t segment) const { return problem_.shear_ratio(set().interval(segment).friction); }
 
@@ -62,7 +62,7 @@ class EnclosedSolution {
   Ball user(const Ball& xi) const;
   /// Returns xi of a point of the data; absent for a free end.
   std::optional<Rational> exact(std::size_t j) const;
-  Place seen_from(std::size_t segment, const Rational& xi) const;
+  SurfacePoint seen_from(std::size_t segment, const Rational& xi) const;
   End end(std::size_t j) const;
   /// Returns theta' (2 pi)^-lambda, where lambda is the exponent at point j.
   Ball stress_intensity(std::size_t j, const Ball& coefficient) const;
@@ -70,12 +70,12 @@ class EnclosedSolution {
   /// j.
   Ball amplitude(std::size_t j, std::size_t segment) const;
   /// Returns the place of x for one of its sides; absent if x may be a free end.
-  std::optional<Place> place(const Rational& x, Side side) const;
+  std::optional<SurfacePoint> place(const Rational& x, Side side) const;
   bool in_contact_at(std::size_t j, Side side) const;
   Ball traction_limit(std::size_t j, Side side) const;
-  Ball traction_at(const Place& place) const;
+  Ball traction_at(const SurfacePoint& place) const;
   Ball slope_limit(std::size_t j, Side side) const;
-  Ball slope_at(const Place& place) const;
+  Ball slope_at(const SurfacePoint& place) const;
   template <class Limit, class Value>
   TwoSided two_sided(const Rational& x, Limit limit, Value value) const;
 

@@ -26,8 +26,8 @@ class CauchyIntegral {
   /// Returns int t/(x'-zeta)^n over a segment in contact.
   Potential over(std::size_t segment) const {
     Potential sum = no_potential(bits_);
-    const auto near = [&](const ContactPanel::Part& part) { return distance(part); };
-    const ContactPanel::Range whole{Ball(0, bits_), set_.length(segment)};
+    const auto near = [&](const ContactPanel::Interval& part) { return distance(part); };
+    const ContactPanel::DistanceRange whole{Ball(0, bits_), set_.length(segment)};
     for (const TractionRule& rule : ContactLoad(form_).rules(segment, whole, near)) {
       const auto& nodes = rule.panel.nodes();
       for (std::size_t i = 0; i < rule.values.size(); ++i)
@@ -54,7 +54,7 @@ class CauchyIntegral {
   }
 
   /// Returns a lower bound of the distance from zeta to the panel.
-  Ball distance(const ContactPanel::Part& part) const {
+  Ball distance(const ContactPanel::Interval& part) const {
     const Ball left = set_.x(part.segment) + part.from_left - x_;
     const Ball right = x_ - (left + x_ + part.length);
     const Ball aside = max(max(left, right), Ball(0, bits_));
@@ -64,7 +64,7 @@ class CauchyIntegral {
   /// Returns int (g - g_k) S/(x'-zeta)^n on a panel that touches c. With u = d/L, and log u = -int_u^1 dv/v, int_0^1
   /// f(u) log u du = -int_0^1 int_0^1 f(v w) dv dw, so the rule is applied twice.
   Potential singular_part(const TractionRule& rule, const Ball& pole) const {
-    const ContactPanel::Part& part = rule.panel.part();
+    const ContactPanel::Interval& part = rule.panel.part();
     const TractionRule::Singular& term = *rule.singular;
     const bool right = part.touches == Side::right;
     const Ball two(2, bits_);

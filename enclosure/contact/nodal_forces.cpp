@@ -48,7 +48,7 @@ std::vector<NodalForce> nodal_forces(const EnclosedSolution& solution, const std
     const std::vector<BallPolynomial> shapes = shape_functions(xi, bits);
     for (std::size_t segment = 0; segment < set.segments(); ++segment) {
       if (!set.in_contact(segment)) continue;
-      const std::optional<ContactPanel::Range> range = solution.range(segment, xi.front(), xi.back());
+      const std::optional<ContactPanel::DistanceRange> range = solution.range(segment, xi.front(), xi.back());
       if (!range) continue;
       const Ball ratio(solution.shear_ratio(segment), bits);
       for (std::size_t i = 0; i <= step; ++i) {

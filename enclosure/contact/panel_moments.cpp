@@ -20,7 +20,8 @@ std::size_t terms_of(const Ball& ratio, std::size_t most) {
 }  // namespace
 
 PanelMoments::PanelMoments(const std::vector<ContactPanel>& panels, const std::vector<std::vector<Ball>>& values,
-                           const std::vector<Ball>& sizes, Side c, const std::optional<Range>& distances, Bits bits)
+                           const std::vector<Ball>& sizes, Side c, const std::optional<DistanceRange>& distances,
+                           Bits bits)
     : bits_(bits) {
   if (distances) distances_ = {distances->least.at(64).lower(), distances->most.at(64).upper()};
   const std::size_t count = panels.size();
@@ -28,7 +29,7 @@ PanelMoments::PanelMoments(const std::vector<ContactPanel>& panels, const std::v
   const bool left = c == Side::left;
   const auto at = [&](std::size_t n) { return left ? n : count - 1 - n; };
   for (std::size_t n = 0; n < count; ++n) {
-    const ContactPanel::Part& part = panels[at(n)].part();
+    const ContactPanel::Interval& part = panels[at(n)].part();
     const Ball& start = left ? part.from_left : part.from_right;
     starts_.push_back(start.at(64));
     ends_.push_back((start + part.length).at(64));
@@ -70,7 +71,7 @@ PanelMoments::PanelMoments(const std::vector<ContactPanel>& panels, const std::v
   }
 }
 
-bool PanelMoments::cover(const Range& distances) const {
+bool PanelMoments::cover(const DistanceRange& distances) const {
   return !distances_ || (distances_->least <= distances.least && distances.most <= distances_->most);
 }
 

@@ -24,7 +24,7 @@ namespace steadyslide::enclosure {
 class PanelMoments {
  public:
   /// The smallest and the largest distance of places.
-  struct Range {
+  struct DistanceRange {
     Ball least;
     Ball most;
   };
@@ -33,10 +33,10 @@ class PanelMoments {
   /// ellipse and without the powers of |Y|. `c` is the side of the segment on which point c lies. `distances` is absent
   /// if any distance is expected.
   PanelMoments(const std::vector<ContactPanel>& panels, const std::vector<std::vector<Ball>>& values,
-               const std::vector<Ball>& sizes, Side c, const std::optional<Range>& distances, Bits bits);
+               const std::vector<Ball>& sizes, Side c, const std::optional<DistanceRange>& distances, Bits bits);
 
   /// True if all these distances are in the expected range.
-  bool cover(const Range& distances) const;
+  bool cover(const DistanceRange& distances) const;
 
   /// The enclosed sum over all panels except `first` to `last` - 1, counted from c, with the rules' remainders.
   /// `distance` is D. If it is outside the expected range, fewer panels are in the sum.
@@ -59,7 +59,7 @@ class PanelMoments {
   /// Returns the first panel with y >= 4 D; never the one that touches c.
   std::size_t first_far(const Ball& distance) const;
 
-  std::optional<Range> distances_;
+  std::optional<DistanceRange> distances_;
   std::vector<Ball> starts_;  ///< y at the panels' nearer and farther ends
   std::vector<Ball> ends_;
   std::size_t least_near_ = 0;  ///< for the smallest distance

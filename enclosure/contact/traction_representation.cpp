@@ -104,7 +104,7 @@ void TractionRepresentation::take_polynomial_parts(Slope& slope) {
 void TractionRepresentation::take_differences(std::size_t segment) {
   const bool integrates = set_.in_contact(segment) && slopes_.size() > 1;
   if (integrates) {
-    for (ContactPanel::Part& part : ContactPanel::graded(set_, segment)) {
+    for (ContactPanel::Interval& part : ContactPanel::graded(set_, segment)) {
       panels_[segment].emplace_back(set_, std::move(part), -1, std::nullopt, count_, *rules_);
     }
   }
@@ -145,18 +145,18 @@ void TractionRepresentation::take_differences(std::size_t segment) {
   }
 }
 
-Ball TractionRepresentation::distance(const Place& place, std::size_t j) const {
+Ball TractionRepresentation::distance(const SurfacePoint& place, std::size_t j) const {
   return abs(j <= place.segment ? place.from_left + set_.distance(j, place.segment)
                                 : place.from_right + set_.distance(place.segment + 1, j));
 }
 
-Ball TractionRepresentation::coordinate(const Place& place) const {
+Ball TractionRepresentation::coordinate(const SurfacePoint& place) const {
   // Measure from the nearer point, because its distance is the thinner ball.
   return place.from_left < place.from_right ? set_.x(place.segment) + place.from_left
                                             : set_.x(place.segment + 1) - place.from_right;
 }
 
-Ball TractionRepresentation::modulus(const Place& place, std::optional<std::size_t> without) const {
+Ball TractionRepresentation::modulus(const SurfacePoint& place, std::optional<std::size_t> without) const {
   Ball product(1, set_.bits());
   Ball sum(0, set_.bits());
   for (std::size_t j = 0; j < set_.points(); ++j) {
@@ -171,7 +171,7 @@ Ball TractionRepresentation::modulus(const Place& place, std::optional<std::size
   return product * exp(sum);
 }
 
-LocalValue TractionRepresentation::regular_factor(std::size_t k, const Place& place) const {
+LocalValue TractionRepresentation::regular_factor(std::size_t k, const SurfacePoint& place) const {
   LocalValue sum{Ball(0, set_.bits()), Ball(0, set_.bits()), Ball(0, set_.bits()), Ball(0, set_.bits())};
   for (std::size_t segment = 0; segment < set_.segments(); ++segment) {
     if (set_.in_contact(segment) && slope_of(segment) != k) add_cauchy(k, segment, place, sum);
@@ -185,7 +185,8 @@ Ball TractionRepresentation::regular_factor_at_end(std::size_t j) const {
   return regular_factor(set_.place_of(j, begins ? j : j - 1)).value();
 }
 
-void TractionRepresentation::add_cauchy(std::size_t k, std::size_t segment, const Place& place, LocalValue& sum) const {
+void TractionRepresentation::add_cauchy(std::size_t k, std::size_t segment, const SurfacePoint& place,
+                                        LocalValue& sum) const {
   const bool to_the_right = segment > place.segment;
   const Difference& difference = differences_[k][segment];
   const Ball to_segment = distance(place, to_the_right ? segment : segment + 1);
@@ -210,7 +211,7 @@ void TractionRepresentation::add_cauchy(std::size_t k, std::size_t segment, cons
     const std::size_t n = to_the_right ? from_c : count - 1 - from_c;
     const ContactPanel& panel = panels_[segment][n];
     const std::vector<Ball>& values = difference.values[n];
-    const ContactPanel::Part& part = panel.part();
+    const ContactPanel::Interval& part = panel.part();
     const bool neighbours = to_the_right ? segment == place.segment + 1 : segment + 1 == place.segment;
     if (neighbours && part.touches == towards && Ball(2) * to_segment < part.length) {
       add_beside(panel, difference, values, place, sum);
@@ -242,26 +243,27 @@ const PanelMoments* TractionRepresentation::moments(const Difference& difference
   const std::size_t side = facing == Side::left ? 0 : 1;
   std::shared_ptr<const PanelMoments>& made = difference.moments[side];
   const Ball zero(0, 64);
-  const PanelMoments::Range here =
+  const PanelMoments::DistanceRange here =
       facing == Side::left
-          ? PanelMoments::Range{seen_from + 1 == segment ? zero : set_.distance(seen_from + 1, segment),
-                                set_.distance(seen_from, segment)}
-          : PanelMoments::Range{segment + 1 == seen_from ? zero : set_.distance(segment + 1, seen_from),
-                                set_.distance(segment + 1, seen_from + 1)};
+          ? PanelMoments::DistanceRange{seen_from + 1 == segment ? zero : set_.distance(seen_from + 1, segment),
+                                        set_.distance(seen_from, segment)}
+          : PanelMoments::DistanceRange{segment + 1 == seen_from ? zero : set_.distance(segment + 1, seen_from),
+                                        set_.distance(segment + 1, seen_from + 1)};
   if (made && made->cover(here)) return made.get();
   if (2 * ++difference.asked[side] <= set_.bits()) return made.get();
   difference.asked[side] = 0;
   // At first for the distances of one segment; for all distances when another segment needs the moments.
-  const std::optional<PanelMoments::Range> expected = made ? std::nullopt : std::optional(here);
+  const std::optional<PanelMoments::DistanceRange> expected = made ? std::nullopt : std::optional(here);
   made = std::make_shared<PanelMoments>(panels_[segment], difference.values, difference.sizes, facing, expected,
                                         set_.bits());
   return made.get();
 }
 
 void TractionRepresentation::add_beside(const ContactPanel& panel, const Difference& difference,
-                                        const std::vector<Ball>& values, const Place& place, LocalValue& sum) const {
+                                        const std::vector<Ball>& values, const SurfacePoint& place,
+                                        LocalValue& sum) const {
   const Bits bits = set_.bits();
-  const ContactPanel::Part& part = panel.part();
+  const ContactPanel::Interval& part = panel.part();
   const bool to_the_right = *part.touches == Side::left;
   const std::size_t c = to_the_right ? part.segment : part.segment + 1;
   const Ball& d = to_the_right ? place.from_right : place.from_left;
@@ -306,7 +308,7 @@ void TractionRepresentation::add_beside(const ContactPanel& panel, const Differe
   sum.has_singular = true;
 }
 
-Ball TractionRepresentation::profile_slope(const Place& place) const {
+Ball TractionRepresentation::profile_slope(const SurfacePoint& place) const {
   return value_at(slopes_[slope_of(place.segment)].coefficients, coordinate(place));
 }
 
@@ -326,7 +328,7 @@ Ball TractionRepresentation::bound(std::size_t k, const ContactPanel& panel, Ell
   return sum;
 }
 
-Ball TractionRepresentation::gap_change(const ContactPanel::Part& part, std::size_t k) const {
+Ball TractionRepresentation::gap_change(const ContactPanel::Interval& part, std::size_t k) const {
   const std::size_t segment = part.segment;
   const ContactPanel panel = this->panel(part);
   const Ball error = panel.remainder(bound(k, panel, Ellipse::far), Ellipse::far);

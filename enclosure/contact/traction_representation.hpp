@@ -57,16 +57,16 @@ class TractionRepresentation {
   /// Returns q with the load.
   const BallPolynomial& q() const { return q_; }
   /// Returns B_k in a segment, where k is its own slope.
-  LocalValue regular_factor(const Place& place) const { return regular_factor(slope_of(place.segment), place); }
+  LocalValue regular_factor(const SurfacePoint& place) const { return regular_factor(slope_of(place.segment), place); }
   /// Returns B_k of the contact at its end j, where it is not singular.
   Ball regular_factor_at_end(std::size_t j) const;
   /// Returns |Y| at a place, without the power of point `without`.
-  Ball modulus(const Place& place, std::optional<std::size_t> without = std::nullopt) const;
+  Ball modulus(const SurfacePoint& place, std::optional<std::size_t> without = std::nullopt) const;
   /// Returns g_k + tilt at a place of a segment, where k is its own slope.
-  Ball profile_slope(const Place& place) const;
+  Ball profile_slope(const SurfacePoint& place) const;
   /// Returns int (psi' - u')/c dxi over a part of a segment outside the contact, from B_k. If the part touches a
   /// segment in contact, k must be the slope there.
-  Ball gap_change(const ContactPanel::Part& part, std::size_t k) const;
+  Ball gap_change(const ContactPanel::Interval& part, std::size_t k) const;
 
   // Functions for conditions and loads.
   /// The different polynomials g_k, and the index of the one on a segment.
@@ -94,10 +94,10 @@ class TractionRepresentation {
   /// Returns the panels of 1/|Y| on segments in contact, from left to right; empty if the contact has one polynomial.
   const std::vector<ContactPanel>& panels(std::size_t segment) const { return panels_[segment]; }
   /// Returns a panel of |Y|, with a power lower by one at the point `lowered`.
-  ContactPanel panel(ContactPanel::Part part, std::optional<std::size_t> lowered = std::nullopt) const {
+  ContactPanel panel(ContactPanel::Interval part, std::optional<std::size_t> lowered = std::nullopt) const {
     return {set_, std::move(part), 1, lowered, count_, *rules_};
   }
-  LocalValue regular_factor(std::size_t k, const Place& place) const;
+  LocalValue regular_factor(std::size_t k, const SurfacePoint& place) const;
   /// Call this before computing B_k at many places of a segment. It makes all moments that pay off; after it, threads
   /// may compute B_k.
   void prepare(std::size_t k, std::size_t segment) const;
@@ -118,14 +118,14 @@ class TractionRepresentation {
   void take_polynomial_parts(Slope& slope);
   void take_differences(std::size_t segment);
   /// Adds a segment's contribution to int eps cos(pi alpha) (g - g_k)/|Y| dx'/(x'-x).
-  void add_cauchy(std::size_t k, std::size_t segment, const Place& place, LocalValue& sum) const;
+  void add_cauchy(std::size_t k, std::size_t segment, const SurfacePoint& place, LocalValue& sum) const;
   /// Returns the moments of the panels of `segment` for places in `seen_from`. Null at first, because moments cost as
   /// much as direct sums for a number of places that is half the number of bits.
   const PanelMoments* moments(const Difference& difference, std::size_t segment, std::size_t seen_from) const;
   void add_beside(const ContactPanel& panel, const Difference& difference, const std::vector<Ball>& values,
-                  const Place& place, LocalValue& sum) const;
-  Ball distance(const Place& place, std::size_t j) const;
-  Ball coordinate(const Place& place) const;
+                  const SurfacePoint& place, LocalValue& sum) const;
+  Ball distance(const SurfacePoint& place, std::size_t j) const;
+  Ball coordinate(const SurfacePoint& place) const;
 
   ContactSet set_;
   BallPolynomial q_;

@@ -14,13 +14,13 @@ namespace {
 using Stretch = LoadStretch::Kind;
 
 /// A load and its zero.
-struct Place {
+struct SolvedLoad {
   Rational load;
   ContactBox zero;
 };
 
 /// Returns a prediction on the line through two zeros; if their anchors differ, the nearer zero.
-ContactBox predicted(const ReducedProblem& problem, const std::optional<Place>& before, const Place& here,
+ContactBox predicted(const ReducedProblem& problem, const std::optional<SolvedLoad>& before, const SolvedLoad& here,
                      const Rational& load) {
   if (!before) return here.zero;
   const std::optional<ContactBox> earlier = seen_from(problem, before->zero, here.zero.topology);
@@ -120,7 +120,7 @@ class Follower {
     }
     // For a closing gap, a proof at its first load is sufficient.
     if (has_notch_ && !options_.intervals_alone) {
-      const std::optional<Place> first = start_at(low, found, work);
+      const std::optional<SolvedLoad> first = start_at(low, found, work);
       const std::optional<Rational> up = first ? close_gap(*first, high, found, work) : std::nullopt;
       if (up) {
         found.add(fill(*up, high, depth - 1, work));
@@ -130,7 +130,7 @@ class Follower {
     // An event may lie exactly at one of these loads, especially if the data are round numbers.
     for (const int sixteenths : {7, 11, 4, 14, 1}) {
       const Rational load = low + (high - low) * Rational(sixteenths, 16);
-      const std::optional<Place> start = start_at(load, found, work);
+      const std::optional<SolvedLoad> start = start_at(load, found, work);
       if (!start) continue;
       Found from_here;
       const std::optional<Rational> closed =
@@ -160,19 +160,19 @@ class Follower {
     return found;
   }
 
-  std::optional<Place> start_at(const Rational& load, Found& found, WorkBudget& work) {
+  std::optional<SolvedLoad> start_at(const Rational& load, Found& found, WorkBudget& work) {
     const std::optional<ApproximateContact> contact = contact_at_(load);
     if (!contact) return found.fail(load, "the solver finds no solution");
     const ContactStart start(problem_, *contact);
     if (std::string fault = start.topology.fault(problem_); !fault.empty()) return found.fail(load, std::move(fault));
     KrawczykResult zero = enclose_zero(problem_.for_loads(load, load), start.box(options_.bits), rules_, work);
     if (!zero.proved) return found.fail(load, std::move(zero.reason));
-    return Place{load, std::move(zero.box)};
+    return SolvedLoad{load, std::move(zero.box)};
   }
 
   /// If the contact has a gap that can only close: proves all loads up to the closing load, and then as many as
   /// possible up to `limit`. Returns the load reached; absent if the contact is of another kind, or not proved.
-  std::optional<Rational> close_gap(const Place& here, const Rational& limit, Found& found, WorkBudget& work) {
+  std::optional<Rational> close_gap(const SolvedLoad& here, const Rational& limit, Found& found, WorkBudget& work) {
     const std::optional<ContactBox> full = closed_gap(problem_, here.zero);
     if (!full) return std::nullopt;
     const auto from = full_contact_from(problem_, *full, here.load, limit, options_.width, rules_, work);
@@ -196,10 +196,10 @@ class Follower {
   }
 
   /// Makes steps towards `limit`, as far as intervals are proved.
-  March march(Place here, const Rational& limit, WorkBudget work) {
+  March march(SolvedLoad here, const Rational& limit, WorkBudget work) {
     here.zero = seen_from_nearer(problem_, here.zero);
     Found found;
-    std::optional<Place> before;
+    std::optional<SolvedLoad> before;
     Rational step = (limit - here.load) / 4;
     const Rational least = options_.width * std::min(here.load, limit) / 8;
     // The number of successful proofs before a longer step is tried. It grows next to an event, where longer steps
@@ -212,7 +212,7 @@ class Follower {
       const Rational most = options_.longest * here.load;
       if (abs(step) > most) step = limit > here.load ? most : -most;
       if (abs(limit - here.load) <= abs(step)) step = limit - here.load;
-      std::optional<std::pair<Place, Place>> next = stepped(before, here, here.load + step, found, work);
+      std::optional<std::pair<SolvedLoad, SolvedLoad>> next = stepped(before, here, here.load + step, found, work);
       if (!next) {
         if (grown) patience = std::min(2 * patience, most_patience);
         grown = false;
@@ -234,15 +234,16 @@ class Follower {
   }
 
   /// Proves the loads between here and `load`. Returns the zeros at both; absent if the proof fails.
-  std::optional<std::pair<Place, Place>> stepped(const std::optional<Place>& before, const Place& here,
-                                                 const Rational& load, Found& found, WorkBudget& work) {
+  std::optional<std::pair<SolvedLoad, SolvedLoad>> stepped(const std::optional<SolvedLoad>& before,
+                                                           const SolvedLoad& here, const Rational& load, Found& found,
+                                                           WorkBudget& work) {
     const bool upwards = here.load < load;
     const Rational& from = upwards ? here.load : load;
     const Rational& to = upwards ? load : here.load;
     LoadInterval interval =
         prove_loads(problem_, from, to, predicted(problem_, before, here, (from + to) / 2), rules_, work);
     if (!interval.proof.proved) return found.fail(load, interval.proof.reason);
-    std::pair zeros(Place{here.load, interval.at_from}, Place{load, interval.at_to});
+    std::pair zeros(SolvedLoad{here.load, interval.at_from}, SolvedLoad{load, interval.at_to});
     if (!upwards) std::swap(zeros.first.zero, zeros.second.zero);
     found.proved.push_back({Stretch::proved, from, to, std::move(interval), {}});
     return zeros;

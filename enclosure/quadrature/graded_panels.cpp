@@ -7,7 +7,7 @@
 namespace steadyslide::enclosure {
 namespace {
 
-struct Part {
+struct PanelSpan {
   Ball from_left;
   Ball from_right;
   Ball length;
@@ -25,11 +25,11 @@ class Grading {
 
   /// True if the part is far enough from all places. This is only a choice, so it uses midpoints; equality up to
   /// rounding is sufficient.
-  bool is_clear(const Part& part) const {
+  bool is_clear(const PanelSpan& part) const {
     return is_far(left_, part.from_left, part.length) && is_far(right_, part.from_right, part.length);
   }
 
-  GradedPanel panel(Part part) const {
+  GradedPanel panel(PanelSpan part) const {
     std::vector<OutsidePoint> outside;
     for (const OutsidePoint& point : outside_) {
       const Ball& to_end = point.side == Side::left ? part.from_left : part.from_right;
@@ -77,9 +77,9 @@ std::vector<GradedPanel> graded(const Ball& length, const Ball& left, const Ball
                          return point.distance.is_finite() && point.distance.is_positive();
                        });
   std::vector<GradedPanel> panels;
-  std::vector<Part> waiting{{Ball(0, length.bits()), Ball(0, length.bits()), length}};
+  std::vector<PanelSpan> waiting{{Ball(0, length.bits()), Ball(0, length.bits()), length}};
   while (!waiting.empty()) {
-    Part part = std::move(waiting.back());
+    PanelSpan part = std::move(waiting.back());
     waiting.pop_back();
     if (!decided || grading.is_clear(part)) {
       panels.push_back(grading.panel(std::move(part)));

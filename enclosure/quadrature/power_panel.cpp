@@ -56,7 +56,7 @@ class RemainderEstimate {
   }
 
  private:
-  struct Point {
+  struct PowerPoint {
     double from_centre;
     double power;
   };
@@ -74,7 +74,7 @@ class RemainderEstimate {
   }
 
   double largest_ = 0;
-  std::vector<Point> points_;
+  std::vector<PowerPoint> points_;
 };
 
 }  // namespace

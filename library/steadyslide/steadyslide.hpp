@@ -46,8 +46,8 @@ class STEADYSLIDE_API Exact {
   Exact(std::string_view text) : text_(text) {}
   Exact(const char* text) : text_(text) {}
   Exact(double value);
-  template <class Whole, std::enable_if_t<std::is_integral_v<Whole> && !std::is_same_v<Whole, bool>, int> = 0>
-  Exact(Whole value) : text_(std::to_string(value)) {}
+  template <class Integer, std::enable_if_t<std::is_integral_v<Integer> && !std::is_same_v<Integer, bool>, int> = 0>
+  Exact(Integer value) : text_(std::to_string(value)) {}
 
   const std::string& text() const { return text_; }
 

@@ -23,10 +23,10 @@ class InterpolatedFactor {
 
   R operator()(const Node<R>& node) const {
     const R place = node.from_left / panel_.length;
-    const std::vector<Part>& parts = parts_([this] { return resolved(); });
-    const auto after =
-        std::upper_bound(parts.begin(), parts.end(), place, [](const R& x, const Part& part) { return x < part.left; });
-    const Part& part = after == parts.begin() ? *after : *(after - 1);
+    const std::vector<PanelInterval>& parts = parts_([this] { return resolved(); });
+    const auto after = std::upper_bound(parts.begin(), parts.end(), place,
+                                        [](const R& x, const PanelInterval& part) { return x < part.left; });
+    const PanelInterval& part = after == parts.begin() ? *after : *(after - 1);
     if (part.series.empty()) return smooth_(node);
     // Clenshaw's sum.
     const R v = 2 * (place - part.left) / part.width - 1;
@@ -44,16 +44,16 @@ class InterpolatedFactor {
   static constexpr std::size_t nodes = std::same_as<R, double> ? 16 : std::same_as<R, Real50> ? 40 : 72;
 
   /// In units of the panel length.
-  struct Part {
+  struct PanelInterval {
     R left;
     R width;
     std::vector<R> series;  ///< empty: the factor itself
   };
 
-  std::vector<Part> resolved() const {
+  std::vector<PanelInterval> resolved() const {
     std::vector<R> cosines;  // of pi k/2n
     for (std::size_t k = 0; k < 4 * nodes; ++k) cosines.push_back(cosine(k));
-    std::vector<Part> result;
+    std::vector<PanelInterval> result;
     resolve(R(0), R(1), 0, infinity<R>(), cosines, result);
     return result;
   }
@@ -62,7 +62,7 @@ class InterpolatedFactor {
 
   /// `before`: the relative error of the part of twice this width.
   void resolve(const R& left, const R& width, int halvings, const R& before, const std::vector<R>& cosines,
-               std::vector<Part>& result) const {
+               std::vector<PanelInterval>& result) const {
     std::vector<R> values, series;
     for (std::size_t i = 0; i < nodes; ++i) {
       const R place = left + width * (1 + cosines[2 * i + 1]) / 2;
@@ -93,7 +93,7 @@ class InterpolatedFactor {
 
   Panel<R> panel_;
   std::function<R(const Node<R>&)> smooth_;
-  Once<std::vector<Part>> parts_;
+  Once<std::vector<PanelInterval>> parts_;
 };
 
 /// Returns the same density with interpolated smooth factors, which are sampled at first use.

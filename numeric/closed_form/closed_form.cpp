@@ -347,7 +347,7 @@ Sample<R> ClosedForm<R>::outside(Side side, const R& distance) const {
 }
 
 template <Real R>
-typename ClosedForm<R>::Place ClosedForm<R>::locate(const Rational& x) const {
+typename ClosedForm<R>::LocatedPoint ClosedForm<R>::locate(const Rational& x) const {
   const Rational exact = x - data_.origin;
   const R from_origin = to_real<R>(exact);
   const std::size_t last = weight().panel_count();
@@ -368,7 +368,7 @@ typename ClosedForm<R>::Place ClosedForm<R>::locate(const Rational& x) const {
 }
 
 template <Real R>
-Sample<R> ClosedForm<R>::at(const Place& place) const {
+Sample<R> ClosedForm<R>::at(const LocatedPoint& place) const {
   if (place.beyond) return outside(*place.beyond, place.distance);
   if (!place.inside) return at_point(place.panel);
   return inside(place.panel, *place.inside, traction(place.panel, *place.inside));
@@ -400,8 +400,8 @@ void ClosedForm<R>::tractions(std::span<const R> x, std::span<R> normal, std::sp
 }
 
 template <Real R>
-std::vector<std::pair<typename ClosedForm<R>::Place, R>> ClosedForm<R>::places(int count) const {
-  std::vector<std::pair<Place, R>> result;
+std::vector<std::pair<typename ClosedForm<R>::LocatedPoint, R>> ClosedForm<R>::places(int count) const {
+  std::vector<std::pair<LocatedPoint, R>> result;
   const auto add_gap = [&](Side side) {
     const R length = gap_length(side);
     if (length == 0) return;
@@ -443,7 +443,7 @@ std::vector<std::pair<typename ClosedForm<R>::Place, R>> ClosedForm<R>::places(i
 }
 
 template <Real R>
-Sample<R> ClosedForm<R>::sample(const std::pair<Place, R>& at) const {
+Sample<R> ClosedForm<R>::sample(const std::pair<LocatedPoint, R>& at) const {
   const auto& [place, traction] = at;
   return place.inside ? inside(place.panel, *place.inside, traction) : this->at(place);
 }
@@ -460,14 +460,14 @@ std::vector<DetailedSample<R>> ClosedForm<R>::detailed_samples(int count) const 
 
 template <Real R>
 DetailedSample<R> ClosedForm<R>::details_at(const Rational& x) const {
-  const Place place = locate(x);
+  const LocatedPoint place = locate(x);
   DetailedSample<R> result = detailed(place, at(place));
   result.x = to_real<R>(x);
   return result;
 }
 
 template <Real R>
-Estimate<R> ClosedForm<R>::height(const Place& place) const {
+Estimate<R> ClosedForm<R>::height(const LocatedPoint& place) const {
   R x = place.inside ? place.inside->x : weight().point(place.panel);
   if (place.beyond == Side::left) x = weight().point(0) - place.distance;
   if (place.beyond == Side::right) x = weight().point(weight().panel_count()) + place.distance;
@@ -477,7 +477,7 @@ Estimate<R> ClosedForm<R>::height(const Place& place) const {
 }
 
 template <Real R>
-DetailedSample<R> ClosedForm<R>::detailed(const Place& place, const Sample<R>& sample) const {
+DetailedSample<R> ClosedForm<R>::detailed(const LocatedPoint& place, const Sample<R>& sample) const {
   const std::size_t k = place.panel;
   const std::size_t last = weight().panel_count();
   DetailedSample<R> result{sample, {}, {}, {}, {}};

@@ -78,7 +78,7 @@ class ClosedForm : public ContactSolution<R> {
   /// Returns the slope of the surface in the contact, which is the slope of the profile, in the user's units.
   Estimate<R> slope_in_contact(const R& from_origin) const;
   /// A place x: a panel and the distances from its ends, or a singular point, or a distance beyond an end.
-  struct Place {
+  struct LocatedPoint {
     std::size_t panel;  ///< the panel, or the index of the point, or the panel at the end
     std::optional<Node<R>> inside{};
     std::optional<Side> beyond{};
@@ -86,16 +86,16 @@ class ClosedForm : public ContactSolution<R> {
 
     bool is_point() const { return !inside && !beyond; }
   };
-  Place locate(const Rational& x) const;
+  LocatedPoint locate(const Rational& x) const;
   /// Returns the places of samples(), with tractions for places inside panels.
-  std::vector<std::pair<Place, R>> places(int count) const;
-  Sample<R> at(const Place& place) const;
+  std::vector<std::pair<LocatedPoint, R>> places(int count) const;
+  Sample<R> at(const LocatedPoint& place) const;
   Sample<R> inside(std::size_t panel, const Node<R>& node, const R& traction) const;
   Sample<R> at_point(std::size_t j) const;
   Sample<R> outside(Side side, const R& distance) const;
   Estimate<R> below_profile(Side side, const R& distance) const;
   R relative_error_beyond(Side side, const R& distance) const;
-  Sample<R> sample(const std::pair<Place, R>& at) const;
+  Sample<R> sample(const std::pair<LocatedPoint, R>& at) const;
   Estimate<R> limit_at_point(std::size_t j, Side side) const;
   R gap_length(Side side) const;
   /// Returns the traction sampled by the rule for residuals, which is also the fastest rule for loads in high
@@ -105,8 +105,8 @@ class ClosedForm : public ContactSolution<R> {
   const std::vector<Estimate<R>>& loads() const;
   const TractionIntegrals<R>& integrals() const;
   /// Returns u + C at a place. Its error is that of the gap.
-  Estimate<R> height(const Place& place) const;
-  DetailedSample<R> detailed(const Place& place, const Sample<R>& sample) const;
+  Estimate<R> height(const LocatedPoint& place) const;
+  DetailedSample<R> detailed(const LocatedPoint& place, const Sample<R>& sample) const;
 
   ContactProblem problem_;
   R compliance_;

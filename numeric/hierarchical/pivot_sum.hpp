@@ -30,27 +30,27 @@ class PivotSum {
   std::size_t sums() const { return moments_.sums(); }
 
   /// A place in a panel or at its ends, or outside the line: then `panel` is -1 or the number of panels.
-  struct Place {
+  struct PanelPoint {
     std::ptrdiff_t panel;
     double from_left;
     double from_right;
   };
   /// The parameters of a sum; `offset` is x - e.
   struct Kernel {
-    Place x;
-    Place pivot;
+    PanelPoint x;
+    PanelPoint pivot;
     double offset;
     int sigma;
   };
   /// The panels first..end-1, which are left out. They include all panels with sources between x and e.
-  struct Range {
+  struct PanelRange {
     std::size_t first;
     std::size_t end;
   };
   /// Adds the contributions of far cells to sums[s]. Calls visit(panel, distances of its nearer end from x and from e)
   /// for near panels that have sources.
   template <class Visit>
-  void around(const Kernel& kernel, const Range& without, std::vector<double>& sums, const Visit& visit) const;
+  void around(const Kernel& kernel, const PanelRange& without, std::vector<double>& sums, const Visit& visit) const;
 
  private:
   struct Distances {
@@ -58,7 +58,8 @@ class PivotSum {
     double pivot;
   };
   template <class Visit>
-  void walk(Side side, const Kernel& kernel, const Range& without, std::vector<double>& sums, const Visit& visit) const;
+  void walk(Side side, const Kernel& kernel, const PanelRange& without, std::vector<double>& sums,
+            const Visit& visit) const;
   bool is_far(std::size_t cell, double distance) const {
     return distance > 0 && distance >= 1.25 * moments_.tree().cells()[cell].extent;
   }
@@ -69,16 +70,17 @@ class PivotSum {
 };
 
 template <class Visit>
-void PivotSum::around(const Kernel& kernel, const Range& without, std::vector<double>& sums, const Visit& visit) const {
+void PivotSum::around(const Kernel& kernel, const PanelRange& without, std::vector<double>& sums,
+                      const Visit& visit) const {
   walk(Side::left, kernel, without, sums, visit);
   walk(Side::right, kernel, without, sums, visit);
 }
 
 template <class Visit>
-void PivotSum::walk(Side side, const Kernel& kernel, const Range& without, std::vector<double>& sums,
+void PivotSum::walk(Side side, const Kernel& kernel, const PanelRange& without, std::vector<double>& sums,
                     const Visit& visit) const {
   const bool from_x = (kernel.offset < 0) == (side == Side::left);
-  const Place& from = from_x ? kernel.x : kernel.pivot;
+  const PanelPoint& from = from_x ? kernel.x : kernel.pivot;
   if (from.panel < 0 || from.panel >= panels_) return;  // nothing lies beyond it
   const double between = kernel.offset < 0 ? -kernel.offset : kernel.offset;
   const Distances more{from_x ? 0 : between, from_x ? between : 0};

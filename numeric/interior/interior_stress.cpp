@@ -138,7 +138,7 @@ const R& InteriorStress<R>::from_left(const TractionPanel<R>& panel, std::size_t
 }
 
 template <Real R>
-void InteriorStress<R>::add(std::size_t index, const Point& point, Sums& sums) const {
+void InteriorStress<R>::add(std::size_t index, const BodyPoint& point, Sums& sums) const {
   const Cell& cell = cells_[index];
   if (cell.end - cell.first >= fewest_panels_with_moments) {
     const R x = point.x - cell.centre;
@@ -165,7 +165,7 @@ void InteriorStress<R>::add(std::size_t index, const Point& point, Sums& sums) c
 }
 
 template <Real R>
-void InteriorStress<R>::add_panel(std::size_t k, const Point& point, Sums& sums) const {
+void InteriorStress<R>::add_panel(std::size_t k, const BodyPoint& point, Sums& sums) const {
   const TractionPanel<R>& panel = traction_.panels()[k];
   const R x_left = point.x - panel.left;
   const R x_right = point.x - panel.right;
@@ -253,7 +253,7 @@ StressState<R> InteriorStress<R>::state_of(const Sums& sums) const {
 }
 
 template <Real R>
-StressState<R> InteriorStress<R>::at(const Point& point, Sums& sums) const {
+StressState<R> InteriorStress<R>::at(const BodyPoint& point, Sums& sums) const {
   static_cast<ForceSums<R>&>(sums) = {};
   if (!reaches(point.z)) {
     sums.normal.fill(std::numeric_limits<R>::quiet_NaN());

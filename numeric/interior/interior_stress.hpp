@@ -63,7 +63,7 @@ class InteriorStress {
     R normal_shift;  ///< sum of force times possible displacement
     R tangential_shift;
   };
-  struct Point {
+  struct BodyPoint {
     SurfacePlace<R> x;
     R z;
   };
@@ -76,13 +76,13 @@ class InteriorStress {
   void add_panel_moments(std::size_t panel, const Cell& cell, R* normal, R* tangential) const;
   /// Returns the forces at the nodes of a panel's rule, and a common factor.
   std::pair<const R*, R> forces_on(std::size_t panel) const;
-  void add(std::size_t cell, const Point& point, Sums& sums) const;
-  void add_panel(std::size_t panel, const Point& point, Sums& sums) const;
+  void add(std::size_t cell, const BodyPoint& point, Sums& sums) const;
+  void add_panel(std::size_t panel, const BodyPoint& point, Sums& sums) const;
   void add_near(const TractionPanel<R>& panel, const R& x_left, const R& x_right, const R& z, Sums& sums) const;
   void add_part(const TractionPanel<R>& panel, const PanelPart<R>& part, const R& x_left, const R& x_right, const R& z,
                 const R& reach, Sums& sums) const;
   StressState<R> state_of(const Sums& sums) const;
-  StressState<R> at(const Point& point, Sums& sums) const;
+  StressState<R> at(const BodyPoint& point, Sums& sums) const;
 
   PiecewiseTraction<R> traction_;
   R poisson_ = 0;     ///< sigma_yy/(sigma_xx + sigma_zz)

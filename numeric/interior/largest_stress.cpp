@@ -8,7 +8,7 @@ namespace steadyslide::numeric {
 namespace {
 
 template <Real R>
-struct Place {
+struct StressPoint {
   R x;
   R z;
   R value;
@@ -22,33 +22,34 @@ class Maximum {
   Maximum(const InteriorStress<R>& stress, const R& least_depth) : stress_(stress), least_(least_depth) {}
 
   /// Returns all maxima that are reached from the highest scanned places, the highest one first.
-  std::vector<Place<R>> highest() const {
-    std::vector<Place<R>> places = scan();
-    std::sort(places.begin(), places.end(), [](const Place<R>& a, const Place<R>& b) { return a.value > b.value; });
-    std::vector<Place<R>> starts;
-    for (const Place<R>& place : places) {
+  std::vector<StressPoint<R>> highest() const {
+    std::vector<StressPoint<R>> places = scan();
+    std::sort(places.begin(), places.end(),
+              [](const StressPoint<R>& a, const StressPoint<R>& b) { return a.value > b.value; });
+    std::vector<StressPoint<R>> starts;
+    for (const StressPoint<R>& place : places) {
       constexpr std::size_t most = 6;
-      const auto is_near = [&](const Place<R>& start) {
+      const auto is_near = [&](const StressPoint<R>& start) {
         return abs(start.x - place.x) + abs(start.z - place.z) < std::max(place.scale, start.scale) / 2;
       };
       if (std::none_of(starts.begin(), starts.end(), is_near)) starts.push_back(place);
       if (starts.size() == most) break;
     }
     std::transform(starts.begin(), starts.end(), starts.begin(),
-                   [this](const Place<R>& start) { return climbed(start); });
+                   [this](const StressPoint<R>& start) { return climbed(start); });
     std::stable_sort(starts.begin(), starts.end(),
-                     [](const Place<R>& a, const Place<R>& b) { return a.value > b.value; });
+                     [](const StressPoint<R>& a, const StressPoint<R>& b) { return a.value > b.value; });
     return starts;
   }
 
  private:
-  Place<R> scanned(const R& x, const R& z, const R& scale) const {
+  StressPoint<R> scanned(const R& x, const R& z, const R& scale) const {
     const R depth = std::max(z, least_);
     return {x, depth, value(x, depth), scale};
   }
 
-  std::vector<Place<R>> scan() const {
-    std::vector<Place<R>> places;
+  std::vector<StressPoint<R>> scan() const {
+    std::vector<StressPoint<R>> places;
     const std::vector<TractionPanel<R>>& panels = stress_.traction().panels();
     const R width = panels.back().right - panels.front().left;
     // Groups of 1, 2, 4, ... panels, and the group of all panels.
@@ -73,7 +74,7 @@ class Maximum {
 
   /// Adds places towards the end x of a panel. A power near 0 may have its maximum at any scale that the digits of x
   /// resolve.
-  void add_beside(const R& x, const R& length, std::vector<Place<R>>& places) const {
+  void add_beside(const R& x, const R& length, std::vector<StressPoint<R>>& places) const {
     const R shortest = std::max(least_, R(64 * epsilon<R>() * abs(x)));
     for (R scale = length / 8; scale > shortest; scale /= 4) {
       for (int i = -1; i <= 1; ++i) places.push_back(scanned(x + i * scale, scale, scale));
@@ -83,8 +84,8 @@ class Maximum {
 
   /// Returns the maximum nearest to `start`; its stress is never lower than at `start`. `scale` is the error of its
   /// position.
-  Place<R> climbed(const Place<R>& start) const {
-    Place<R> at = start;
+  StressPoint<R> climbed(const StressPoint<R>& start) const {
+    StressPoint<R> at = start;
     R h = std::min(at.scale, max(at.z, R(at.scale / 8))) / 8;
     // With smaller differences, rounding would be a larger error than the cubic terms are here.
     const R smallest = pow(epsilon<R>(), R(0.25)) * at.scale;
@@ -95,7 +96,7 @@ class Maximum {
     for (int step = 0; step < 400 && h > last; ++step) {
       const Stencil here = stencil(at, h);
       if (here.is_peak) {
-        const Place<R> peak = scanned(at.x + here.x_step, at.z + here.z_step, scale);
+        const StressPoint<R> peak = scanned(at.x + here.x_step, at.z + here.z_step, scale);
         if (h <= smallest && peak.value >= at.value * (1 - 64 * epsilon<R>())) {
           return {peak.x, peak.z, peak.value, 4 * h * h / scale, here.curvature / (h * h) * variation};
         }
@@ -114,7 +115,7 @@ class Maximum {
   }
 
   struct Stencil {
-    Place<R> highest;
+    StressPoint<R> highest;
     bool is_peak;  ///< the fitted parabola has its maximum inside the stencil
     R x_step;
     R z_step;
@@ -127,14 +128,14 @@ class Maximum {
     return state.von_mises()->value;
   }
 
-  Stencil stencil(const Place<R>& at, const R& h) const {
+  Stencil stencil(const StressPoint<R>& at, const R& h) const {
     R f[3][3];  // along x, along z
     Stencil result{at, false, R(0), R(0)};
     const bool at_surface = at.z - h < least_;
     const R z = at_surface ? least_ : at.z;
     for (int i = -1; i <= 1; ++i) {
       for (int j = at_surface ? 0 : -1; j <= 1; ++j) {
-        const Place<R> there = scanned(at.x + i * h, z + j * h, at.scale);
+        const StressPoint<R> there = scanned(at.x + i * h, z + j * h, at.scale);
         f[i + 1][j + 1] = there.value;
         if (there.value > result.highest.value) result.highest = there;
       }
@@ -196,8 +197,8 @@ std::optional<LargestStress<R>> largest_stress(const InteriorStress<R>& stress, 
   if (!stress.traction().elasticity().half_space() || panels.empty()) return std::nullopt;
   const R width = panels.back().right - panels.front().left;
   const R least = std::max(depth, R(width * R(1e-30)));
-  const std::vector<Place<R>> maxima = Maximum<R>(stress, least).highest();
-  const Place<R>& best = maxima.front();
+  const std::vector<StressPoint<R>> maxima = Maximum<R>(stress, least).highest();
+  const StressPoint<R>& best = maxima.front();
   StressState<R> state;
   stress.at(std::span(&best.x, 1), std::span(&best.z, 1), std::span(&state, 1));
   const Estimate<R> von_mises = *state.von_mises();
@@ -207,7 +208,7 @@ std::optional<LargestStress<R>> largest_stress(const InteriorStress<R>& stress, 
   Estimate<R> z{best.z, best.z == least ? R(0) : x.error};
   if (best.z == least) z.value = depth;
   // Another maximum may be the largest one. If both are equal, the place is one of them.
-  for (const Place<R>& other : maxima) {
+  for (const StressPoint<R>& other : maxima) {
     const R less = best.value - other.value;
     if (less <= 256 * epsilon<R>() * best.value || less > 2 * von_mises.error) continue;
     x.error = std::max(x.error, R(abs(other.x - best.x)));

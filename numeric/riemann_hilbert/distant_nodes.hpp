@@ -73,7 +73,7 @@ class NodeLine {
     return is_left_of(at) ? y_->distance(at, segments_.end) : -y_->distance(at, segments_.first);
   }
   /// Returns the place, in a leaf or outside the line.
-  hierarchical::PivotSum::Place place(const SurfacePoint<double>& at) const {
+  hierarchical::PivotSum::PanelPoint place(const SurfacePoint<double>& at) const {
     if (is_right_of(at)) return {-1, 0, 0};
     if (is_left_of(at)) return {static_cast<std::ptrdiff_t>(leaves_.size()), 0, 0};
     const auto segment = static_cast<std::size_t>(at.segment);

@@ -73,14 +73,14 @@ struct Nodes {
 
 /// A part of a panel, with the values of the function there.
 template <Real R>
-struct Part {
+struct PanelInterval {
   std::size_t panel;
   R from_left, length, from_right;
   int halvings;
   Series<R> series{};
   R bound{}, missed{};
 
-  bool operator<(const Part& other) const { return bound < other.bound; }
+  bool operator<(const PanelInterval& other) const { return bound < other.bound; }
 };
 
 template <Real R>
@@ -93,7 +93,7 @@ class PeakSearch {
 
   std::vector<Peak<R>> highest() {
     while (!parts_.empty()) {
-      const Part<R> part = parts_.top();
+      const PanelInterval<R> part = parts_.top();
       parts_.pop();
       if (part.bound <= least()) break;
       if (part.missed <= resolved * best_) {
@@ -124,7 +124,7 @@ class PeakSearch {
   /// Returns the value above which a peak may be the highest after refinement of its place.
   R least() const { return std::max(floor_, R(best_ - resolved * abs(best_))); }
 
-  void add(Part<R> part) {
+  void add(PanelInterval<R> part) {
     Peak<R> node = interpolate(part);
     if (node.value.value > best_) {
       best_ = node.value.value;
@@ -136,7 +136,7 @@ class PeakSearch {
   }
 
   /// Returns the highest of the nodes.
-  Peak<R> interpolate(Part<R>& part) const {
+  Peak<R> interpolate(PanelInterval<R>& part) const {
     const Nodes<R>& at = Nodes<R>::get();
     Series<R> values;
     std::optional<Peak<R>> highest;
@@ -154,14 +154,14 @@ class PeakSearch {
   }
 
   /// Returns f at a place of a part, given by its distances from the part's ends, divided by the length.
-  Peak<R> peak_at(const Part<R>& part, const R& left, const R& right) const {
+  Peak<R> peak_at(const PanelInterval<R>& part, const R& left, const R& right) const {
     const R from_left = part.from_left + left * part.length;
     const R from_right = part.from_right + right * part.length;
     return {part.panel, from_left, from_right, f_(part.panel, from_left, from_right), part.length};
   }
 
   /// Finds the largest value of the interpolant, if it may be the largest of all.
-  void search(const Part<R>& part) {
+  void search(const PanelInterval<R>& part) {
     const Series<R> first = derivative(part.series);
     const R curvature = size_of(derivative(first));
     const R enough = resolved * best_;
@@ -193,7 +193,7 @@ class PeakSearch {
       const auto [panel, left, right, value, error] = peak;
       const R room = std::min(left, right);
       half = std::min(half, R(std::min(error, room) * pow(epsilon<R>(), R(1) / (nodes + 1)) / 2));
-      Part<R> part{panel, left - half, 2 * half, right - half, 0};
+      PanelInterval<R> part{panel, left - half, 2 * half, right - half, 0};
       interpolate(part);
       const Series<R> first = derivative(part.series);
       const Series<R> second = derivative(first);
@@ -214,7 +214,7 @@ class PeakSearch {
   R floor_;
   R best_;
   std::vector<Peak<R>> found_;
-  std::priority_queue<Part<R>> parts_;
+  std::priority_queue<PanelInterval<R>> parts_;
 };
 
 }  // namespace

@@ -30,7 +30,7 @@ std::vector<double> graded_distances(double end, double smallest, double ratio, 
 }
 
 /// One piece of a piecewise function on an interval of the support, in xi.
-struct Part {
+struct Interval {
   double left;
   double right;
 };
@@ -43,10 +43,10 @@ void for_each_part(const CellMesh& mesh, const std::vector<double>& ends, const 
   for (std::size_t i = 0; i < mesh.size(); ++i) {
     double left = mesh.left(i);
     while (piece < ends.size() && ends[piece] < mesh.right(i)) {
-      if (ends[piece] > left) f(i, piece, Part{left, ends[piece]});
+      if (ends[piece] > left) f(i, piece, Interval{left, ends[piece]});
       left = std::max(left, ends[piece++]);
     }
-    f(i, piece, Part{left, mesh.right(i)});
+    f(i, piece, Interval{left, mesh.right(i)});
   }
 }
 
@@ -95,7 +95,7 @@ CellFriction cell_friction(const ContactProblem& problem, const CellMesh& mesh, 
 
   CellFriction result{std::vector<double>(mesh.size()), std::vector<double>(mesh.size()), 1};
   if (std::any_of(s.begin(), s.end(), [](double value) { return value < 0; })) result.sign = -1;
-  for_each_part(mesh, ends, [&](std::size_t i, std::size_t piece, const Part& part) {
+  for_each_part(mesh, ends, [&](std::size_t i, std::size_t piece, const Interval& part) {
     const double length = part.right - part.left;
     const double middle = (part.left + part.right) / 2;
     // s at x' affects all x in the cell on its other side.
@@ -158,7 +158,7 @@ double CellProfile::operator()(double xi, Side side) const {
 
 std::vector<double> CellProfile::means(const CellMesh& mesh) const {
   std::vector<double> result(mesh.size());
-  for_each_part(mesh, ends_, [&](std::size_t i, std::size_t piece, const Part& part) {
+  for_each_part(mesh, ends_, [&](std::size_t i, std::size_t piece, const Interval& part) {
     result[i] += pieces_[piece].integral(part.left, part.right) / mesh.length(i);
   });
   return result;

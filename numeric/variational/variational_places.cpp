@@ -28,7 +28,7 @@ Estimate<double> known(const Estimate<double>& fine, const Estimate<double>& coa
 
 }  // namespace
 
-VariationalSolution::Place VariationalSolution::end_place(const Run& run, End end) const {
+VariationalSolution::SingularPlace VariationalSolution::end_place(const Run& run, End end) const {
   const std::size_t cell = end == End::left ? run.begin : run.end - 1;
   const double boundary = end == End::left ? edges_[cell] : edges_[cell + 1];
   const bool at_support = end == End::left ? cell == 0 : cell + 1 == mesh().size();
@@ -38,7 +38,7 @@ VariationalSolution::Place VariationalSolution::end_place(const Run& run, End en
     const std::size_t piece = problem_.friction().piece(exact, inside);
     const Rational s = problem_.coupled_friction(piece);
     const Exponent exponent = kind == SingularKind::free ? free_exponent(end, s) : edge_exponent(end, s);
-    return Place{x, kind, exponent, {x}, inside, piece, piece, -1, kind != SingularKind::free};
+    return SingularPlace{x, kind, exponent, {x}, inside, piece, piece, -1, kind != SingularKind::free};
   };
   if (at_support) {
     const Rational& x = end == End::left ? problem_.indenter().left() : problem_.indenter().right();
@@ -83,7 +83,7 @@ void VariationalSolution::find_places() {
       const Exponent beta =
           jump_exponent(problem_.coupled_friction(left.friction), problem_.coupled_friction(right.friction));
       const SingularKind kind = inner_kind(beta.sign() != 0, wedge).value_or(SingularKind::wedge);
-      Place place{x, kind, std::nullopt, {x}, Side::left, left.friction, right.friction, slope.degree(), true};
+      SingularPlace place{x, kind, std::nullopt, {x}, Side::left, left.friction, right.friction, slope.degree(), true};
       if (beta.sign() != 0) {
         place.exponent = beta;
       } else if (!wedge) {
@@ -109,12 +109,12 @@ void VariationalSolution::find_end_errors() {
   const double cell = cell_length();
   if (runs_.size() == 1 && runs_.front().end - runs_.front().begin == 1) {
     // If one cell carries all the load, the place of the ends is unknown.
-    for (Place& place : places_) place.error = place.moved = place.is_end() && !place.exact ? unit_ : 0;
+    for (SingularPlace& place : places_) place.error = place.moved = place.is_end() && !place.exact ? unit_ : 0;
     return;
   }
   const variational::CellSet& coarse = found_.coarse.found.contact;
   // Returns the distance from x to the place where the coarser contact begins, or ends.
-  const auto moved = [&](const Place& end) {
+  const auto moved = [&](const SingularPlace& end) {
     double least = edges_.back() - edges_.front();
     for (std::size_t i = 0; i < coarse.size(); ++i) {
       const bool begins = end.contact == Side::right;
@@ -133,7 +133,7 @@ void VariationalSolution::find_end_errors() {
     }
     return true;
   };
-  std::vector<Place*> ends;
+  std::vector<SingularPlace*> ends;
   for (const std::size_t end : ends_) ends.push_back(&places_[end]);
   // If the coarser mesh does not have a gap, its ends have moved by at most the length of the gap.
   std::vector<double> by(ends.size());
@@ -145,18 +145,18 @@ void VariationalSolution::find_end_errors() {
     ends[k]->moved = cell + std::max(by[k] - cell, 0.0);
   }
   const double elsewhere = moved_load() * (edges_[runs_.back().end] - edges_[runs_.front().begin]);
-  for (Place* end : ends) {
+  for (SingularPlace* end : ends) {
     if (!end->exact) end->error = end->moved + elsewhere;
   }
   for (std::size_t k = 1; k + 1 < ends.size(); k += 2) {
     const double gap = ends[k + 1]->x - ends[k]->x;
     const bool may_be_none =
         is_new[k] || gap <= 4 * cell + 8 * (by[k] + by[k + 1]) || gap <= ends[k]->error + ends[k + 1]->error;
-    for (Place* end : {ends[k], ends[k + 1]}) end->error = std::max(end->error, may_be_none ? gap + cell : 0);
+    for (SingularPlace* end : {ends[k], ends[k + 1]}) end->error = std::max(end->error, may_be_none ? gap + cell : 0);
   }
 }
 
-FittedIntensity VariationalSolution::fitted(const Place& place, const variational::Cells& cells) const {
+FittedIntensity VariationalSolution::fitted(const SingularPlace& place, const variational::Cells& cells) const {
   const auto s = [&](std::size_t piece) { return problem_.coupled_friction(piece); };
   if (place.is_end()) {
     return variational::fitted_end(cells, place.surroundings, place.contact, to_real<double>(*place.exponent),
@@ -171,7 +171,7 @@ FittedIntensity VariationalSolution::fitted(const Place& place, const variationa
                                   cos_pi_alpha<double>(s(place.friction_right)), place.wedge_degree);
 }
 
-SolvedSingularPoint<double> VariationalSolution::solved_point(const Place& place) const {
+SolvedSingularPoint<double> VariationalSolution::solved_point(const SingularPlace& place) const {
   const double error = 1e-15 * (std::abs(origin_) + unit_) + place.error;
   SolvedSingularPoint<double> result{{origin_ + place.x, error}, place.kind, place.exponent, unknown, {}, {}};
   const auto tell_stress_intensity = [&] {
@@ -218,7 +218,7 @@ std::optional<SolvedSingularPoint<double>> VariationalSolution::sharpest_wedge()
 
 std::vector<SolvedSingularPoint<double>> VariationalSolution::singular_points() const {
   std::vector<SolvedSingularPoint<double>> result;
-  for (const Place& place : places_) {
+  for (const SingularPlace& place : places_) {
     const bool wedge_only = place.kind == SingularKind::wedge;
     // If only a curvature changes, nothing is singular. A measured profile has a wedge at every point; cells can show a
     // wedge only if it is isolated.
@@ -233,7 +233,7 @@ std::vector<SolvedSingularPoint<double>> VariationalSolution::singular_points() 
 std::vector<ContactComponent<double>> VariationalSolution::contact() const {
   std::vector<ContactComponent<double>> result;
   std::optional<ContactEnd<double>> left;
-  for (const Place& place : places_) {
+  for (const SingularPlace& place : places_) {
     if (!place.is_end()) continue;
     const SolvedSingularPoint<double> point = solved_point(place);
     ContactEnd<double> end{point.x, point.kind, *point.exponent, point.intensity};

@@ -62,7 +62,7 @@ double VariationalSolution::load_in_doubt(const Run& run) const {
 
 double VariationalSolution::load_beyond_end(double xi) const {
   double most = 0;
-  const auto look = [&](const Place& end) {
+  const auto look = [&](const SingularPlace& end) {
     if (end.exact || std::abs(end.x - unit_ * xi) > end.moved) return;
     const double inside = end.x + (end.contact == Side::right ? end.moved : -end.moved);
     most = std::max(most, meshes_.front().between(end.x / unit_, inside / unit_));

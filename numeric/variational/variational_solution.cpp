@@ -75,7 +75,7 @@ std::string VariationalSolution::failed_condition() const {
 
 LargestPressure<double> VariationalSolution::largest_pressure() const {
   std::vector<SolvedSingularPoint<double>> unbounded;
-  for (const Place& place : places_) {
+  for (const SingularPlace& place : places_) {
     if (place.exponent && place.exponent->sign() < 0) unbounded.push_back(solved_point(place));
   }
   if (const auto wedge = sharpest_wedge()) unbounded.push_back(*wedge);
@@ -101,7 +101,7 @@ EstimatedError<double> VariationalSolution::estimated_error() const {
   const double hull = mesh().right(runs_.back().end - 1) - mesh().left(runs_.front().begin);
   // If all ends are edges, the error of ends is still given as one cell.
   result.ends = mesh().length(0) / hull;
-  for (const Place& place : places_) result.ends = std::max(result.ends, place.error / (unit_ * hull));
+  for (const SingularPlace& place : places_) result.ends = std::max(result.ends, place.error / (unit_ * hull));
   // The mean over the load, because where t is singular the error is unbounded.
   for (std::size_t i = 0; i < traction_.size(); ++i) {
     result.traction += std::abs(traction_[i] - coarse_traction(i)) / stress_ * mesh().length(i);

@@ -54,7 +54,7 @@ class VariationalSolution : public ContactSolution<double> {
   std::vector<DetailedSample<double>> detailed_samples(int count) const override;
 
   /// A place where the traction is singular or the profile changes its polynomial, as located on the cells.
-  struct Place {
+  struct SingularPlace {
     double x;  ///< measured from the middle of the support
     SingularKind kind;
     std::optional<Exponent> exponent;      ///< absent: logarithm, or not singular
@@ -69,7 +69,7 @@ class VariationalSolution : public ContactSolution<double> {
     bool is_end() const { return local_terms(kind).is_end; }
   };
   /// Returns all places from left to right.
-  const std::vector<Place>& places() const { return places_; }
+  const std::vector<SingularPlace>& places() const { return places_; }
 
  private:
   const variational::DiscreteProblem& discrete() const { return *found_.fine.problem; }
@@ -107,9 +107,9 @@ class VariationalSolution : public ContactSolution<double> {
   /// coarser mesh does not have it, or it has moved by much of its length, the error of its ends is the whole gap, and
   /// the gap is in doubt.
   void find_end_errors();
-  Place end_place(const Run& run, End end) const;
-  variational::FittedIntensity fitted(const Place& place, const variational::Cells& cells) const;
-  SolvedSingularPoint<double> solved_point(const Place& place) const;
+  SingularPlace end_place(const Run& run, End end) const;
+  variational::FittedIntensity fitted(const SingularPlace& place, const variational::Cells& cells) const;
+  SolvedSingularPoint<double> solved_point(const SingularPlace& place) const;
   /// Returns the convex wedge with the strongest logarithm, among the wedges in the contact without a friction jump.
   std::optional<SolvedSingularPoint<double>> sharpest_wedge() const;
   /// Returns t of the coarser mesh at the middle of cell i.
@@ -141,7 +141,7 @@ class VariationalSolution : public ContactSolution<double> {
   std::vector<double> coarse_traction_;
   std::vector<double> displacement_;  ///< B p for each cell
   std::vector<Run> runs_;
-  std::vector<Place> places_;
+  std::vector<SingularPlace> places_;
   std::vector<std::size_t> ends_;  ///< indices into places_, two for each run
   /// For the cells and for the coarser cells.
   Once<std::pair<std::vector<double>, std::vector<double>>> shear_transforms_;

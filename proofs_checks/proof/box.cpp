@@ -18,9 +18,9 @@ const Interval& along(const Box& box, const std::string& parameter) {
   return found == box.end() ? any : found->second;
 }
 
-using Place = std::map<std::string, Rational>;
+using ParameterPoint = std::map<std::string, Rational>;
 
-bool contains(const Box& box, const Place& place) {
+bool contains(const Box& box, const ParameterPoint& place) {
   return std::ranges::all_of(place, [&](const auto& p) { return along(box, p.first).contains(p.second); });
 }
 
@@ -100,10 +100,10 @@ bool covers(std::span<const Box> boxes, const Box& whole) {
   };
   add(whole);
   for (const Box& box : boxes) add(box);
-  std::vector<Place> places(1);
+  std::vector<ParameterPoint> places(1);
   for (const auto& [name, along_axis] : ends) {
-    std::vector<Place> more;
-    for (const Place& place : places) {
+    std::vector<ParameterPoint> more;
+    for (const ParameterPoint& place : places) {
       for (const Rational& x : samples(along_axis)) {
         more.push_back(place);
         more.back()[name] = x;
@@ -111,7 +111,7 @@ bool covers(std::span<const Box> boxes, const Box& whole) {
     }
     places = std::move(more);
   }
-  return std::ranges::all_of(places, [&](const Place& place) {
+  return std::ranges::all_of(places, [&](const ParameterPoint& place) {
     return !contains(whole, place) || std::ranges::any_of(boxes, [&](const Box& box) { return contains(box, place); });
   });
 }

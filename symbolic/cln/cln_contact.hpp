@@ -17,7 +17,7 @@ namespace steadyslide::symbolic {
 
 struct ClnContact {
   /// x = exact + rest. If `is_datum` is true, x is exact and the rest is 0.
-  struct Place {
+  struct ClnPoint {
     Rational exact;
     cln::cl_F rest;
     cln::cl_F power;
@@ -31,11 +31,11 @@ struct ClnContact {
   Rational origin;         ///< origin of the lengths in N
   std::size_t first_jump;  ///< inside the contact are the jumps first_jump <= index < last_jump
   std::size_t last_jump;
-  std::vector<Place> places = {};      ///< left end, jumps inside, right end
+  std::vector<ClnPoint> places = {};   ///< left end, jumps inside, right end
   std::vector<cln::cl_F> factor = {};  ///< N, by coefficients
 
   cln::cl_F number(const Rational& value) const { return to_cln(value, format); }
-  const Place& place(End end) const { return end == End::left ? places.front() : places.back(); }
+  const ClnPoint& place(End end) const { return end == End::left ? places.front() : places.back(); }
   Decimal end(End which) const { return rounded(place(which).exact + from_cln(place(which).rest), digits); }
   /// Returns N at this length from the origin.
   cln::cl_F factor_at(const cln::cl_F& length) const;

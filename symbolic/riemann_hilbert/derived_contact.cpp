@@ -62,8 +62,8 @@ struct DerivedContact::State : ClnContact {
   std::vector<Rational> frictions = {};  ///< of the panels
 
   /// From the origin.
-  Rational datum(const Place& place) const { return place.exact - origin; }
-  cl_F length(const Place& place) const { return place.is_datum ? number(datum(place)) : place.rest; }
+  Rational datum(const ClnPoint& place) const { return place.exact - origin; }
+  cl_F length(const ClnPoint& place) const { return place.is_datum ? number(datum(place)) : place.rest; }
   bool solve();
   bool fits() const;
 };
@@ -124,7 +124,7 @@ bool DerivedContact::State::solve() {
   // A width that the contact cannot exceed. From there Newton's method decreases monotonically.
   cl_F farthest = number(Rational(problem.indenter().right() - problem.indenter().left()));
   if (slope.size() == 2) farthest = farthest + cln::sqrt(2 * values.at(load) / number(slope[1]));
-  for (const Place& place : places) {
+  for (const ClnPoint& place : places) {
     if (place.is_datum) farthest = farthest + cln::abs(length(place));
   }
   cl_F size = number(Rational(0));

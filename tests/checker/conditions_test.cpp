@@ -11,7 +11,7 @@
 namespace {
 
 using namespace steadyslide::checker;
-using Kind = Point::Contact;
+using Kind = LayoutPoint::Contact;
 
 /// Two zones over a profile of three pieces, with a friction jump and a free tilt: every kind of unknown. These zones
 /// are not a solution; the conditions and their derivative exist nevertheless.
@@ -29,8 +29,8 @@ struct Example {
 
   Example(bool four_free) {
     // Anchors: -2, -1.1, -1, 0, 1, 2.
-    const auto anchor = [](std::size_t a, Kind kind) { return Point{a, 0, kind}; };
-    const auto beside = [](std::size_t a, int side, Kind kind) { return Point{a, side, kind}; };
+    const auto anchor = [](std::size_t a, Kind kind) { return LayoutPoint{a, 0, kind}; };
+    const auto beside = [](std::size_t a, int side, Kind kind) { return LayoutPoint{a, side, kind}; };
     if (four_free) {
       layout.points = {anchor(0, Kind::outside),    beside(0, 1, Kind::begins), anchor(1, Kind::interior),
                        anchor(2, Kind::interior),   beside(2, 1, Kind::ends),   anchor(3, Kind::outside),
@@ -102,7 +102,7 @@ TEST_CASE("B_k on both sides of a wedge differ as the profile's slopes over Y") 
   const Example example(true);
   const Contact contact(example.reduced, example.layout, example.v.log_offsets, 192);
   const TractionRepresentation form(contact, example.v, example.problem.loads, 80);
-  const Place place{4, 5, contact.length(4) * Ball(0.25), contact.length(4) * Ball(0.75)};
+  const SurfacePoint place{4, 5, contact.length(4) * Ball(0.25), contact.length(4) * Ball(0.75)};
   const Ball x = contact.xi(place);
   std::vector<Ball> slopes;
   for (const std::size_t k : {contact.slope_of(1), contact.slope_of(3), contact.slope_of(7)}) {
@@ -126,7 +126,7 @@ TEST_CASE("B_k and its derivative with few bits enclose what they are with many"
     for (const std::size_t segment : {0, 4, 5, 8}) {
       for (const double part : {0.01, 0.1, 0.5, 0.9, 0.99}) {
         const Ball length = contact.length(segment);
-        const Place place{segment, segment + 1, length * Ball(part), length - length * Ball(part)};
+        const SurfacePoint place{segment, segment + 1, length * Ball(part), length - length * Ball(part)};
         for (const std::size_t k : {contact.slope_of(1), contact.slope_of(3), contact.slope_of(7)}) {
           const TractionRepresentation::Value few = coarse.regular(k, place);
           const TractionRepresentation::Value many = fine.regular(k, place);
@@ -154,13 +154,13 @@ TEST_CASE("polynomials in place of B_k enclose it between and at the places that
         for (const double from : {0.0, 0.25, 0.5, 0.6875, 0.8125}) {
           const auto at = [&](double part) {
             const Ball d = contact.length(segment) * Ball(part);
-            return Place{segment, segment + 1, d, contact.length(segment) - d};
+            return SurfacePoint{segment, segment + 1, d, contact.length(segment) - d};
           };
           const auto found = Interpolant::of(*form, bits, k, at(from), contact.length(segment) * Ball(0.1875));
           if (!found) continue;
           for (const double y : {-1.0, -0.875, -0.25, 0.0, 0.375, 0.75, 1.0}) {
             INFO("bits = ", bits, ", segment = ", segment, ", from = ", from, ", y = ", y);
-            const Place place = at(from + 0.09375 * (1 + y));
+            const SurfacePoint place = at(from + 0.09375 * (1 + y));
             const Ball exact = fine.regular(k, place).value;
             CHECK(horner(found->polynomial(), Ball(y)).widened(found->rest()).contains_inside(exact));
             CHECK(found->range().contains_inside(exact));

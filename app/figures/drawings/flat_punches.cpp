@@ -50,10 +50,10 @@ Panel two_coatings(Sliding sliding) {
                  {{0.95, 0.09, true, true}, forward ? "front" : "rear", Align::right},
                  {{0.25, 0.66, true, true}, "sliding", Align::centre},
                  {{0.09, 0.93, true, true}, exponent_text("−½ − α_{−}", points[0])},
-                 {forward ? Place{0.025, 0.9} : Place{0.04, 0.06}, exponent_text("β", points[1])},
+                 {forward ? PanelPosition{0.025, 0.9} : PanelPosition{0.04, 0.06}, exponent_text("β", points[1])},
                  {{0.89, 0.53, true, true}, exponent_text("−½ + α_{+}", points[2]), Align::right}};
-  const Place left{0.18, 0.61, true, true};
-  const Place right{0.32, 0.61, true, true};
+  const PanelPosition left{0.18, 0.61, true, true};
+  const PanelPosition right{0.32, 0.61, true, true};
   panel.guides = {forward ? Guide{left, right, true} : Guide{right, left, true}};
   return panel;
 }

@@ -14,7 +14,7 @@ namespace steadyslide::app {
 namespace {
 
 namespace variational = numeric::variational;
-using VariationalPlace = numeric::VariationalSolution::Place;
+using VariationalPlace = numeric::VariationalSolution::SingularPlace;
 
 constexpr std::size_t cells = 16384;
 

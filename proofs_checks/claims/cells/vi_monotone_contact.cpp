@@ -39,18 +39,18 @@ std::string text_of(const OnCells& c) {
 }
 
 /// Among which cases the statement is examined.
-struct Range {
+struct DataRange {
   Rational largest{1, 2};  ///< s
   Cells cells = Cells::equal;
   std::optional<Rational> growth = {};  ///< else random, 1 to 3
 };
 
-CellFrictionSteps random_friction(Random& random, const Range& range) {
+CellFrictionSteps random_friction(Random& random, const DataRange& range) {
   const CellFrictionSteps steps = random_steps(random, Trend::any, range.largest, 3);
   return random.below(2) == 0 ? mirrored(steps) : steps;
 }
 
-OnCells random_loads(Random& random, const Range& range, bool convex) {
+OnCells random_loads(Random& random, const DataRange& range, bool convex) {
   const CellFrictionSteps steps = random_friction(random, range);
   const Polynomial profile = random_profile(random, convex);
   const Rational load = random.between(Rational(1, 50), 3);
@@ -58,7 +58,7 @@ OnCells random_loads(Random& random, const Range& range, bool convex) {
   return {steps, CellMesh(cell_problem(steps), 16 + random.below(32)), {}, {}, profile, load, growth};
 }
 
-OnCells random_punch_of_cells(Random& random, const Range& range) {
+OnCells random_punch_of_cells(Random& random, const DataRange& range) {
   const CellFrictionSteps steps = random_friction(random, range);
   OnCells c{steps, random_cells(random, cell_problem(steps), range.cells, 8 + random.below(32))};
   const std::size_t share = 1 + random.below(4);
@@ -67,7 +67,7 @@ OnCells random_punch_of_cells(Random& random, const Range& range) {
   return c;
 }
 
-auto within(const Range& range) {
+auto within(const DataRange& range) {
   return [range](const Context& context) {
     Random random(context.seed, "vi-monotone-contact");
     CaseList<OnCells> list{{},

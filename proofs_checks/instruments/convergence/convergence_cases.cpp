@@ -54,7 +54,7 @@ ContactProblem with_friction_reversed(const ContactProblem& problem) {
       .with_sliding(constant ? Sliding::minus_x : problem.sliding());
 }
 
-double local_rate(const ContactProblem& problem, const VariationalSolution::Place& place) {
+double local_rate(const ContactProblem& problem, const VariationalSolution::SingularPlace& place) {
   if (!place.exponent || place.exponent->sign() == 0) return 3;
   const Rational left = problem.coupled_friction(place.friction_left);
   const Rational right = problem.coupled_friction(place.friction_right);
@@ -63,7 +63,7 @@ double local_rate(const ContactProblem& problem, const VariationalSolution::Plac
   return to_real<double>(*place.exponent + adjoint + Exponent(2));
 }
 
-double expected_rate(const ContactProblem& problem, std::span<const VariationalSolution::Place> places) {
+double expected_rate(const ContactProblem& problem, std::span<const VariationalSolution::SingularPlace> places) {
   double rate = 3;
   for (const auto& place : places) rate = std::min(rate, local_rate(problem, place));
   return rate;

@@ -40,9 +40,9 @@ std::vector<ConvergenceCase> convergence_cases();
 ContactProblem with_friction_reversed(const ContactProblem& problem);
 
 /// lambda + lambda* + 2 at one place of the contact.
-double local_rate(const ContactProblem& problem, const VariationalSolution::Place& place);
+double local_rate(const ContactProblem& problem, const VariationalSolution::SingularPlace& place);
 
 /// The smallest of them.
-double expected_rate(const ContactProblem& problem, std::span<const VariationalSolution::Place> places);
+double expected_rate(const ContactProblem& problem, std::span<const VariationalSolution::SingularPlace> places);
 
 }  // namespace steadyslide::proofs_checks

@@ -16,7 +16,7 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-using Place = VariationalSolution::Place;
+using SingularPlace = VariationalSolution::SingularPlace;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
@@ -60,7 +60,7 @@ std::shared_ptr<const VariationalSolution> on_cells(const ContactProblem& proble
 OnMesh on_mesh(const ContactProblem& problem, const VariationalSolution& solution, std::size_t cells) {
   OnMesh result{cells, solution.cell_length(), {{}, resultants_of(problem, solution), {}}};
   const double middle = to_real<double>((problem.indenter().left() + problem.indenter().right()) / 2);
-  for (const Place& place : solution.places()) {
+  for (const SingularPlace& place : solution.places()) {
     if (place.is_end()) result.solved.ends.push_back({middle + place.x, place.exact});
   }
   if (cells >= first_with_intensities) result.solved.intensities = intensities_of(solution);
@@ -75,7 +75,7 @@ std::optional<enclosure::CellBound> proved_bound(const ContactProblem& problem, 
 }
 
 /// Of the friction sliding the other way.
-Exponent reversed(const Place& place, const ContactProblem& problem) {
+Exponent reversed(const SingularPlace& place, const ContactProblem& problem) {
   if (!place.is_end()) return -*place.exponent;
   const End end = opposite(place.contact);
   const Rational s = -problem.coupled_friction(place.friction_left);
@@ -88,7 +88,7 @@ std::vector<ReadExponent> read_exponents(const ContactProblem& problem, const Va
   if (which == StudyPlan::Exponents::none) return result;
   const double middle = to_real<double>((problem.indenter().left() + problem.indenter().right()) / 2);
   std::set<SingularKind> kinds;
-  for (const Place& place : solution.places()) {
+  for (const SingularPlace& place : solution.places()) {
     if (!place.exponent || place.exponent->sign() == 0) continue;
     for (const Side side : {Side::left, Side::right}) {
       if (place.is_end() && side != place.contact) continue;

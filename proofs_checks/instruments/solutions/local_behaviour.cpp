@@ -102,7 +102,7 @@ std::shared_ptr<const VariationalSolution> solve_on_cells(const ContactProblem& 
   return solution;
 }
 
-Estimate<double> power_on_cells(const VariationalSolution& solution, const VariationalSolution::Place& place,
+Estimate<double> power_on_cells(const VariationalSolution& solution, const VariationalSolution::SingularPlace& place,
                                 Side side) {
   using numeric::variational::PlaceIs;
   return numeric::variational::fitted_exponent(solution.cells(), place.surroundings, side, place.wedge_degree,

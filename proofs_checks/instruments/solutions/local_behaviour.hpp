@@ -69,7 +69,7 @@ ContactProblem cell_case(std::string_view name);
 /// On cells, accepted by its certificate. Throws Refutation otherwise.
 std::shared_ptr<const VariationalSolution> solve_on_cells(const ContactProblem& problem, std::size_t cells);
 /// The power that the cells show on one side of a singular point.
-Estimate<double> power_on_cells(const VariationalSolution& solution, const VariationalSolution::Place& place,
+Estimate<double> power_on_cells(const VariationalSolution& solution, const VariationalSolution::SingularPlace& place,
                                 Side side);
 /// Those of 8192 cells on both sides of its singular points of this kind: "left cells", "right cells", and the larger
 /// "error bar".

@@ -19,7 +19,7 @@ TEST_CASE("a panel's bounds hold at both ends of its ellipses: products of power
   GapContact gap(-2, -3);
   int largest = 0;
   for (const std::size_t segment : {0U, 3U}) {
-    for (const ContactPanel::Part& part : ContactPanel::graded(gap.set, segment)) {
+    for (const ContactPanel::Interval& part : ContactPanel::graded(gap.set, segment)) {
       for (const int n : {-1, 1}) {
         const ContactPanel panel(gap.set, part, n, std::nullopt, 20, gap.rules);
         for (const Ellipse ellipse : {Ellipse::close, Ellipse::beside, Ellipse::far}) {
@@ -102,7 +102,7 @@ TEST_CASE("a segment seen from afar by its moments: the sum over its nodes") {
     std::vector<ContactPanel> panels;
     std::vector<Ball> sizes;
     const BallPolynomial p{Ball(1, panel_bits), Ball(-2, panel_bits), Ball(3, panel_bits)};
-    for (ContactPanel::Part& part : ContactPanel::graded(gap.set, segment)) {
+    for (ContactPanel::Interval& part : ContactPanel::graded(gap.set, segment)) {
       panels.emplace_back(gap.set, std::move(part), -1, std::nullopt, 40, gap.rules);
       sizes.push_back(panels.back().largest(p, Ellipse::far));
     }

@@ -8,11 +8,11 @@ namespace steadyslide::enclosure {
 TEST_CASE("panels seen from afar by their moments: the sum over their nodes, from either side and any distance") {
   const GapContact notch(-69, -69);  // a gap of 1e-30
   const auto ten_to = [&](int exponent) { return power(Ball(10, notch.bits), exponent); };
-  const std::vector<std::optional<PanelMoments::Range>> ranges = {
+  const std::vector<std::optional<PanelMoments::DistanceRange>> ranges = {
       std::nullopt,
-      PanelMoments::Range{Ball(0, 64), ten_to(-29)},
-      PanelMoments::Range{ten_to(-21), ten_to(-9)},
-      PanelMoments::Range{ten_to(-3), ten_to(2)},
+      PanelMoments::DistanceRange{Ball(0, 64), ten_to(-29)},
+      PanelMoments::DistanceRange{ten_to(-21), ten_to(-9)},
+      PanelMoments::DistanceRange{ten_to(-3), ten_to(2)},
   };
   for (const Side c : {Side::left, Side::right}) {
     const std::size_t segment = c == Side::left ? 3 : 0;
@@ -20,14 +20,14 @@ TEST_CASE("panels seen from afar by their moments: the sum over their nodes, fro
     std::vector<ContactPanel> panels;
     std::vector<std::vector<Ball>> values;
     std::vector<Ball> sizes;
-    for (ContactPanel::Part& part : ContactPanel::graded(notch.set, segment)) {
+    for (ContactPanel::Interval& part : ContactPanel::graded(notch.set, segment)) {
       panels.emplace_back(notch.set, std::move(part), -1, std::nullopt, 40, rules);
       values.emplace_back();
       for (const ContactPanel::Node& node : panels.back().nodes()) values.back().push_back(node.weight);
       sizes.push_back(Ball(1, 64));
     }
     REQUIRE(panels.size() > 90);
-    for (const std::optional<PanelMoments::Range>& range : ranges) {
+    for (const std::optional<PanelMoments::DistanceRange>& range : ranges) {
       CAPTURE(range ? range->most.to_double() : 0);
       const PanelMoments moments(panels, values, sizes, c, range, notch.bits);
       std::vector<Ball> distances;

@@ -82,26 +82,26 @@ TEST_CASE("bad traces: the whole message") {
 
 namespace {
 
-struct Point {
+struct TracePoint {
   Rational x, height;
 };
 
-std::string text_of(const std::vector<Point>& points) {
+std::string text_of(const std::vector<TracePoint>& points) {
   std::string text;
   for (const auto& [x, height] : points) text += to_string(x) + "," + to_string(height) + "\n";
   return text;
 }
 
 /// Returns the heights at the points, from the pieces beside them.
-std::vector<Rational> heights_of(const ProfileTrace& trace, const std::vector<Point>& points) {
+std::vector<Rational> heights_of(const ProfileTrace& trace, const std::vector<TracePoint>& points) {
   std::vector<Rational> heights{trace.pieces.front().profile(points.front().x)};
   for (std::size_t i = 1; i < points.size(); ++i) heights.push_back(trace.pieces[i - 1].profile(points[i].x));
   return heights;
 }
 
-std::vector<Point> random_points() {
+std::vector<TracePoint> random_points() {
   const int count = uniform(2, 12);
-  std::vector<Point> points;
+  std::vector<TracePoint> points;
   Rational x = uniform(-50, 50);
   for (int i = 0; i < count; ++i) {
     points.push_back({x, Rational(uniform(-1000, 1000), 100)});
@@ -111,7 +111,7 @@ std::vector<Point> random_points() {
 }
 
 /// Returns sums over the remaining heights: of heights, and of heights times x.
-std::pair<Rational, Rational> moments(const std::vector<Rational>& heights, const std::vector<Point>& points) {
+std::pair<Rational, Rational> moments(const std::vector<Rational>& heights, const std::vector<TracePoint>& points) {
   Rational sum = 0, first = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     sum += heights[i];
@@ -124,7 +124,7 @@ std::pair<Rational, Rational> moments(const std::vector<Rational>& heights, cons
 
 TEST_CASE("heights are turned and brought into another unit exactly") {
   REQUIRE(rc::check([] {
-    const std::vector<Point> points = random_points();
+    const std::vector<TracePoint> points = random_points();
     const Rational factor(uniform(-30, 30), 1000);
     const auto scaled = parse_trace(text_of(points), "t.csv", std::nullopt, {factor, Detrend::none});
     const std::vector<Rational> found = heights_of(scaled, points);
@@ -135,7 +135,7 @@ TEST_CASE("heights are turned and brought into another unit exactly") {
 
 TEST_CASE("what is left after the mean has none, after the line neither mean nor slope; only a line is taken off") {
   REQUIRE(rc::check([] {
-    const std::vector<Point> points = random_points();
+    const std::vector<TracePoint> points = random_points();
     for (const Detrend kind : {Detrend::mean, Detrend::line}) {
       const auto trace = parse_trace(text_of(points), "t.csv", std::nullopt, {1, kind});
       const std::vector<Rational> left = heights_of(trace, points);

@@ -10,20 +10,20 @@
 namespace steadyslide::numeric::hierarchical {
 namespace {
 
-using Place = PivotSum::Place;
+using PanelPoint = PivotSum::PanelPoint;
 
 /// Returns a place in panel k at the fraction `part` of its length.
-Place place_in(const Line& line, std::ptrdiff_t k, double part) {
+PanelPoint place_in(const Line& line, std::ptrdiff_t k, double part) {
   const double left = part * line.lengths[static_cast<std::size_t>(k)];
   return {k, left, line.lengths[static_cast<std::size_t>(k)] - left};
 }
 
-long double offset(const Line& line, const Place& place, const Source& source) {
+long double offset(const Line& line, const PanelPoint& place, const Source& source) {
   return offset(line, static_cast<std::size_t>(place.panel), place.from_left, place.from_right, source);
 }
 
 /// Returns x - e for places in the panels first..end-1.
-double between(const Line& line, const Place& x, const Place& e) {
+double between(const Line& line, const PanelPoint& x, const PanelPoint& e) {
   if (x.panel == e.panel) return x.from_left < x.from_right ? x.from_left - e.from_left : e.from_right - x.from_right;
   if (x.panel < e.panel) return -between(line, e, x);
   double sum = e.from_right;
@@ -46,8 +46,8 @@ Sum term(double weight, long double to_x, long double to_pivot, int sigma) {
 
 /// Returns the difference between the sum by cells plus its near panels and the sum of all sources one by one, in
 /// roundings of its sizes.
-double error_of(const Line& line, const PivotSum& sum, const Place& x, const Place& e, int sigma,
-                const PivotSum::Range& without, double wrong_offset = 0) {
+double error_of(const Line& line, const PivotSum& sum, const PanelPoint& x, const PanelPoint& e, int sigma,
+                const PivotSum::PanelRange& without, double wrong_offset = 0) {
   std::vector<double> sums(sum.sums(), 0);
   Sum near, exact;
   const auto panel_of = [&](std::size_t i) { return line.sources[i].panel; };
@@ -95,13 +95,13 @@ TEST_CASE("sums beside a pivot are those of the sources, one by one, however clo
     double worst = 0;
     double worst_if_off = 0;
     for (std::ptrdiff_t k = 0; k + 3 <= last; k += 54) {
-      const PivotSum::Range own{static_cast<std::size_t>(k), static_cast<std::size_t>(k) + 4};
+      const PivotSum::PanelRange own{static_cast<std::size_t>(k), static_cast<std::size_t>(k) + 4};
       for (const int sigma : {-1, 0, 1}) {
         for (const std::ptrdiff_t pivot : {k, k + 3}) {
-          const Place e = place_in(line, pivot, pivot == k ? 0 : 1);
+          const PanelPoint e = place_in(line, pivot, pivot == k ? 0 : 1);
           for (const double part : {1e-12, 0.3}) {
             for (const std::ptrdiff_t j : {k, k + 3}) {
-              const Place x = place_in(line, j, part);
+              const PanelPoint x = place_in(line, j, part);
               worst = std::max(worst, error_of(line, sum, x, e, sigma, own));
               const double wrong = 1e-6 * whole;
               if (sigma != 0 && j == k)
@@ -124,7 +124,7 @@ TEST_CASE("a place in the gap beside what is left out, its pivot at the far end"
     double worst = 0;
     for (std::ptrdiff_t k = 3; k < static_cast<std::ptrdiff_t>(line.lengths.size()) - 7; k += 70) {
       // Panels 7 i + 3 have no sources: there is a gap on both sides of 7 i + 4, ..., 7 i + 9.
-      const PivotSum::Range own{static_cast<std::size_t>(k) + 1, static_cast<std::size_t>(k) + 7};
+      const PivotSum::PanelRange own{static_cast<std::size_t>(k) + 1, static_cast<std::size_t>(k) + 7};
       for (const int sigma : {-1, 0, 1}) {
         for (const double part : {0.001, 0.5, 0.999}) {
           worst = std::max(worst, error_of(line, sum, place_in(line, k, part), place_in(line, k + 6, 1), sigma, own));
@@ -146,8 +146,8 @@ TEST_CASE("beyond the line only the pivot's side has sources") {
     for (const double d : {1e-9, 0.01, 3.0}) {
       std::vector<double> sums(2, 0);
       const auto near = [](std::size_t, double, double) {};
-      const Place left{-1, 0, 0};
-      const Place first = place_in(line, 0, 0);
+      const PanelPoint left{-1, 0, 0};
+      const PanelPoint first = place_in(line, 0, 0);
       sum.around({left, first, -d, sigma}, {0, end}, sums, near);
       CHECK(sums[0] == 0);
       sum.around({left, first, -d, sigma}, {0, 4}, sums, near);

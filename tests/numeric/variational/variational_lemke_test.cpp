@@ -35,11 +35,11 @@ std::vector<std::size_t> next_to_changes(const CellSet& set, std::size_t reach) 
   return cells_of(near);
 }
 
-using Place = std::optional<Rational>;
+using LineOfAction = std::optional<Rational>;
 const std::vector<Rational> flat, bump{0, 0, 3};
 
-ContactProblem punch(const std::vector<Rational>& profile, const Rational& f, const Place& load_at = std::nullopt,
-                     Sliding sliding = Sliding::plus_x) {
+ContactProblem punch(const std::vector<Rational>& profile, const Rational& f,
+                     const LineOfAction& load_at = std::nullopt, Sliding sliding = Sliding::plus_x) {
   return reduced({f / 2}, {}, one_piece(-1, 1, profile), 1, load_at, sliding);
 }
 
@@ -95,7 +95,7 @@ TEST_CASE("of a few cells all sets are tried: what Lemke's method finds is a sol
 }
 
 TEST_CASE("symmetric contacts without friction, flat faces and a centred load") {
-  for (const Place& load_at : {Place(), Place(0)}) {
+  for (const LineOfAction& load_at : {LineOfAction(), LineOfAction(0)}) {
     for (const auto& [profile, least, most] : {std::tuple(flat, 41, 41), {bump, 6, 39}}) {
       const LemkeResult found = lemke(on_cells(punch(profile, 0, load_at), 41), 1000);
       REQUIRE(found.reached);
@@ -113,7 +113,7 @@ TEST_CASE("symmetric contacts without friction, flat faces and a centred load") 
 TEST_CASE("strong friction, cells of very different lengths") {
   // s = 5/2 down to cells of 1e-9, s = 10 down to 1e-3.
   for (const auto& [f, smallest] : {std::pair(5, 1e-9), {20, 1e-3}}) {
-    for (const Place& load_at : {Place(), Place(Rational(1, 3))}) {
+    for (const LineOfAction& load_at : {LineOfAction(), LineOfAction(Rational(1, 3))}) {
       solved_by_lemke(graded(punch(bump, f, load_at), smallest), 10000);
     }
   }
@@ -124,7 +124,7 @@ TEST_CASE("mirrored problems have mirrored solutions, from whichever side the pa
   constexpr int given_up = 4 * 64 + 16;
   int longest = 0;
   for (const int f : {1, 20}) {
-    for (const Place& load_at : {Place(), Place(Rational(1, 3))}) {
+    for (const LineOfAction& load_at : {LineOfAction(), LineOfAction(Rational(1, 3))}) {
       CAPTURE(f);
       const ContactProblem to_right = punch(bump, f, load_at);
       const DiscreteProblem one = graded(to_right, 1e-3), other = graded(to_right.mirrored(), 1e-3);
