@@ -31,9 +31,7 @@ function(steadyslide_install_manual)
   install(FILES "${folder}/steadyslide"
           DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/bash-completion/completions" COMPONENT program)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT program
-          PATTERN CMakeLists.txt EXCLUDE)
-  install(DIRECTORY "${PROJECT_SOURCE_DIR}/reference" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT program
-          USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE)
+          USE_SOURCE_PERMISSIONS PATTERN CMakeLists.txt EXCLUDE PATTERN __pycache__ EXCLUDE)
 endfunction()
 
 include(CMakePackageConfigHelpers)

@@ -1,9 +1,9 @@
 # shellcheck shell=bash
-# Common functions of ./verify, ./check, ./solve, site/build and explorer/build. Source this file, do not run it. All its
+# Common functions of ./verify, ./check, ./solve, docs/site/build and bindings/explorer/build. Source this file, do not run it. All its
 # messages go to stderr, so that stdout holds only the result.
 
 root=$(dirname -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")")
-# The command as a person types it in the root folder: verify, site/build.
+# The command as a person types it in the root folder: verify, docs/site/build.
 command_name=$(readlink -f -- "$(dirname -- "$0")")/$(basename -- "$0")
 [[ $command_name == "$root"/* ]] && command_name=${command_name#"$root"/} || command_name=$(basename -- "$0")
 

@@ -3,7 +3,7 @@
 # docs/finite-elements.md has the table. It prints standard deviations, because forces do not determine a rotation.
 import getfem as gf, numpy as np, steadyslide as ss
 
-exact, errors = ss.Problem.from_toml("reference/parabola_over_jump/problem.toml").solve(), []
+exact, errors = ss.Problem.from_toml("examples/reference/parabola_over_jump/problem.toml").solve(), []
 form = "0.3/0.52*Div_u*Div_Test_u + Sym(Grad_u):Grad_Test_u/1.3 + 1e-5*u.Test_u"  # E = 1, nu = 0.3; weak springs hold it
 for n in (4, 8, 16):
     mesh = gf.Mesh("cartesian", grid := np.sinh(np.linspace(-7, 7, 14 * n + 1)) / 4, grid[7 * n:])  # it ends far away

@@ -11,7 +11,7 @@
 
 namespace steadyslide {
 
-#ifdef STEADYSLIDE_DOUBLE_ONLY  // a build without GMP (explorer/CMakeLists.txt)
+#ifdef STEADYSLIDE_DOUBLE_ONLY  // a build without GMP (bindings/explorer/CMakeLists.txt)
 using IntegerBackend = boost::multiprecision::cpp_int_backend<>;
 using RationalBackend = boost::multiprecision::cpp_rational_backend;
 #else

@@ -6,7 +6,7 @@
 //
 // because a ball is used only if its radius is below 2^-7 of the last bit. MPFR's own function computes the other
 // cases, and all special cases (0, infinity, a negative logarithm, a huge exponent). This is four to six times as fast
-// as MPFR (bench/README.md). MPFR computes products, quotients and sums, because Arb would have to convert the numbers.
+// as MPFR (tests/bench/README.md). MPFR computes products, quotients and sums, because Arb would have to convert the numbers.
 //
 // Boost's log(), exp() and pow() of these numbers use these functions: they call eval_log, eval_exp and eval_pow of the
 // backend, and the overloads below are more specialised than Boost's. eval_beta() uses MPFR. There is no state, so all

@@ -23,7 +23,7 @@ using std::abs, std::asinh, std::atan, std::atan2, std::ceil, std::cos, std::cos
 
 #ifdef STEADYSLIDE_DOUBLE_ONLY
 
-// A build without MPFR (explorer/CMakeLists.txt) only declares the names of these types.
+// A build without MPFR (bindings/explorer/CMakeLists.txt) only declares the names of these types.
 class Real50;
 class Real100;
 
@@ -34,7 +34,7 @@ class Real100;
 
 // MPFR numbers of fixed size, so that there is no global default precision. 57 and 114 decimal digits fill three and
 // six limbs; the digits beyond 50 and 100 are guard digits without extra cost. They were chosen by measurement against
-// cpp_bin_float of the same size (bench/README.md).
+// cpp_bin_float of the same size (tests/bench/README.md).
 using Real50 =
     boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<57, boost::multiprecision::allocate_stack>,
                                   boost::multiprecision::et_off>;

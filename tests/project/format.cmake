@@ -10,7 +10,7 @@ if(NOT version MATCHES "version 14\\.")
 endif()
 
 set(files "")
-foreach(folder IN ITEMS model symbolic numeric enclosure library checker proofs_checks app python explorer bench examples tests)
+foreach(folder IN ITEMS model symbolic numeric enclosure library checker proofs_checks app bindings examples tests)
   file(GLOB_RECURSE found "${SOURCE}/${folder}/*.hpp" "${SOURCE}/${folder}/*.cpp")
   list(APPEND files ${found})
 endforeach()

@@ -13,8 +13,8 @@ set(may_include_library model symbolic numeric enclosure library)
 set(may_include_proofs_checks model symbolic numeric enclosure proofs_checks)
 set(may_include_app model symbolic numeric enclosure library proofs_checks app)
 set(may_include_checker checker)
-set(may_include_explorer model numeric library)
-set(layers model symbolic numeric enclosure library proofs_checks app checker explorer)
+set(may_include_bindings/explorer model numeric library)
+set(layers model symbolic numeric enclosure library proofs_checks app checker bindings/explorer)
 
 # ginac.h and CLN's headers cost a second for each file and define macros. Only sources of these layers and these
 # headers include them; built_with.cpp uses only their versions.

@@ -1,5 +1,5 @@
 #pragma once
-// The part of emscripten's header of this name that explorer/bindings.cpp uses, so that the ordinary compiler can read
+// The part of emscripten's header of this name that bindings/explorer/bindings.cpp uses, so that the ordinary compiler can read
 // it. It computes nothing.
 
 #include <cstddef>

@@ -13,7 +13,7 @@ set(double_only_folder "${CMAKE_CURRENT_LIST_DIR}")
 
 # steadyslide_double_only(<library>): makes the library of all layers; the caller sets the options of its sources.
 function(steadyslide_double_only name)
-  get_filename_component(root "${double_only_folder}/.." ABSOLUTE)
+  get_filename_component(root "${double_only_folder}/../.." ABSOLUTE)
   set(only_model "${root}")
   set(not_model "^$")
   set(only_numeric "${root}")

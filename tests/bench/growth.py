@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Growth of whole solves: user times, and exponents fitted over the upper octaves.
 
-    bench/growth.py PROGRAM KIND FIRST LAST [OPTION ...]
+    tests/bench/growth.py PROGRAM KIND FIRST LAST [OPTION ...]
 
 KIND: jumps (a flat punch), parabola-jumps (x^2), pieces (a polygon in a parabola, half of its wedges in contact), zones
 (a row of equal bumps, each in contact), traces (a measured profile of so many pieces: a self-affine roughness on a parabola,

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Two Python threads beside one: the same solves, with the interpreter's lock released while they run.
 
-    PYTHONPATH=build/release/python bench/python_threads.py [DIGITS] [SOLVES]
+    PYTHONPATH=build/release/python tests/bench/python_threads.py [DIGITS] [SOLVES]
 """
 
 import sys

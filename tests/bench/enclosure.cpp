@@ -4,7 +4,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "bench/arb_integral.hpp"
+#include "tests/bench/arb_integral.hpp"
 
 namespace {
 

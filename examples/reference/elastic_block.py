@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Elastic blocks under the exact tractions of reference problems, with GetFEM: usage: reference/elastic_block.py
+"""Elastic blocks under the exact tractions of reference problems, with GetFEM: usage: examples/reference/elastic_block.py
 
 What the developer of a finite element code would do with these data. The block [-2, 2] x [0, 2] is cut out of the half-plane.
 Its surface carries the consistent nodal forces that `solve --loads-on` gives for the very mesh, its other three sides the

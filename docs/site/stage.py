@@ -10,8 +10,8 @@ import shutil
 import sys
 from pathlib import Path
 
-root = Path(__file__).resolve().parent.parent
-PAGES = ["README.md", "docs/*.md", "examples/README.md", "reference/README.md", "reference/*/README.md", "bench/README.md",
+root = Path(__file__).resolve().parents[2]
+PAGES = ["README.md", "docs/*.md", "examples/README.md", "examples/reference/README.md", "examples/reference/*/README.md", "tests/bench/README.md",
          "CHANGELOG.md", "CONTRIBUTING.md"]
 LINK = re.compile(r"(\]\(|^\[[^\]]+\]: )([^)#\s:]+)(#[^)\s]*)?(?=[)\s])", re.MULTILINE)
 
@@ -49,7 +49,7 @@ def main(target, explorer):
     for page in pages:
         text = relinked(page, shown((root / page).read_text(encoding="utf-8"), explorer), files)
         if page == "docs/index.md":
-            text += "\n" + (root / "site/contents.md").read_text(encoding="utf-8")
+            text += "\n" + (root / "docs/site/contents.md").read_text(encoding="utf-8")
         place = target / staged(page)
         place.parent.mkdir(parents=True, exist_ok=True)
         place.write_text(text, encoding="utf-8")
@@ -57,7 +57,7 @@ def main(target, explorer):
         place = target / staged(file)
         place.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(root / file, place)
-    shutil.copytree(root / "site/pages", target, dirs_exist_ok=True)
+    shutil.copytree(root / "docs/site/pages", target, dirs_exist_ok=True)
 
 
 if __name__ == "__main__":

@@ -14,11 +14,11 @@
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
-#include "bench/arb_integral.hpp"
 #include "numeric/cauchy/power_traction.hpp"
 #include "numeric/quadrature/double_exponential_grid.hpp"
 #include "numeric/quadrature/jacobi_rule.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
+#include "tests/bench/arb_integral.hpp"
 
 namespace {
 

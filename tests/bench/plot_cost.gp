@@ -1,6 +1,6 @@
 # The curves of docs/cost.md: user seconds against the number of jumps, pieces, zones, cells and digits.
 #
-#   gnuplot -c bench/plot_cost.gp docs/cost.csv cost.svg
+#   gnuplot -c tests/bench/plot_cost.gp docs/cost.csv cost.svg
 
 if (ARGC != 2) {
   print "usage: gnuplot -c plot_cost.gp CURVES PICTURE"

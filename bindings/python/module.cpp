@@ -1,4 +1,4 @@
-// The part of the Python module that calls the library. Users see python/steadyslide/__init__.py. All work is done with
+// The part of the Python module that calls the library. Users see bindings/python/steadyslide/__init__.py. All work is done with
 // the interpreter's lock released.
 
 #include <pybind11/numpy.h>

@@ -1,4 +1,4 @@
-"""How the times of the benchmark programs stand in the tables of bench/README.md.
+"""How the times of the benchmark programs stand in the tables of tests/bench/README.md.
 
 A layout names its program and arguments and turns measurements into one or two tables of Markdown, the second one for the
 marker `NAME 2`. A measurement is the CPU time in nanoseconds, and its counters; `Times` asks for them by the benchmark's

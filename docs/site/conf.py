@@ -1,4 +1,4 @@
-"""How Sphinx builds the site; site/build calls it. The pages are made ready by stage.py and generate.py."""
+"""How Sphinx builds the site; docs/site/build calls it. The pages are made ready by stage.py and generate.py."""
 
 import os
 import sys

@@ -14,7 +14,7 @@ from pathlib import Path
 import schema
 import verdicts
 
-root = Path(__file__).resolve().parent.parent
+root = Path(__file__).resolve().parents[2]
 program, output = Path(sys.argv[1]).resolve(), Path(sys.argv[2])
 pages = output / "pages"
 
