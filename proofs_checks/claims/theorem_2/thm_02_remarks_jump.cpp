@@ -7,7 +7,7 @@
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/claim_builder.hpp"
 
-namespace steadyslide::proofs_checks::thm_02_words_jump {
+namespace steadyslide::proofs_checks::thm_02_remarks_jump {
 namespace {
 
 struct JumpCase {
@@ -115,7 +115,7 @@ Values predicted(const JumpCase& c, const Rational& gamma = 1) {
 }  // namespace
 
 Claim claim() {
-  return compared<JumpCase>("thm-02-words-jump")
+  return compared<JumpCase>("thm-02-remarks-jump")
       .cases(jumps)
       .precision(Precision::quick_in_double)
       .measured([]<Real R>(const JumpCase& c) {
@@ -133,4 +133,4 @@ Claim claim() {
       .near_misses();
 }
 
-}  // namespace steadyslide::proofs_checks::thm_02_words_jump
+}  // namespace steadyslide::proofs_checks::thm_02_remarks_jump

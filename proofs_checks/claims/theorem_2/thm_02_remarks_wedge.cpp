@@ -5,7 +5,7 @@
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/claim_builder.hpp"
 
-namespace steadyslide::proofs_checks::thm_02_words_wedge {
+namespace steadyslide::proofs_checks::thm_02_remarks_wedge {
 namespace {
 
 enum class Examined {
@@ -95,7 +95,7 @@ Values at_wedge(const CornerCase& c) {
 }  // namespace
 
 Claim claim() {
-  return compared<CornerCase>("thm-02-words-wedge")
+  return compared<CornerCase>("thm-02-remarks-wedge")
       .cases(corners)
       .effective_where([](const CornerCase& c) { return c.examined != Examined::wedge || c.s() != 0; })
       .precision(Precision::quick_in_double)
@@ -127,4 +127,4 @@ Claim claim() {
       .near_misses();
 }
 
-}  // namespace steadyslide::proofs_checks::thm_02_words_wedge
+}  // namespace steadyslide::proofs_checks::thm_02_remarks_wedge

@@ -7,7 +7,7 @@
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/claim_builder.hpp"
 
-namespace steadyslide::proofs_checks::thm_02_words_wedge_and_jump {
+namespace steadyslide::proofs_checks::thm_02_remarks_wedge_and_jump {
 namespace {
 
 struct CornerCase {
@@ -103,7 +103,7 @@ void set_limit(Values& p, const Rational& limit) {
 }  // namespace
 
 Claim claim() {
-  return compared<CornerCase>("thm-02-words-wedge-and-jump")
+  return compared<CornerCase>("thm-02-remarks-wedge-and-jump")
       .cases(corners)
       .precision(Precision::quick_in_double)
       // Beside a power of the distance a limit is exact to digits of the power's size.
@@ -125,4 +125,4 @@ Claim claim() {
       .near_misses();
 }
 
-}  // namespace steadyslide::proofs_checks::thm_02_words_wedge_and_jump
+}  // namespace steadyslide::proofs_checks::thm_02_remarks_wedge_and_jump
