@@ -116,7 +116,8 @@ FollowedLoads solved_steps(const SolveOptions& options, const Problem& problem, 
     LoadStep step{full_number(load, options.common.digits), solver.solve(loaded), {}};
     if (options.certify && !steps.empty()) {
       const Rational& before = loads[steps.size() - 1];
-      if (before != load) step.until = solver.between(problem, std::min(before, load), std::max(before, load));
+      if (before != load)
+        step.until = solver.certify_load_range(problem, std::min(before, load), std::max(before, load));
     }
     steps.push_back(std::move(step));
     progress.next();

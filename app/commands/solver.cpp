@@ -45,7 +45,7 @@ SolutionText Solver::solve_in(const Problem& problem) {
   return text;
 }
 
-std::vector<StretchText> Solver::between(const Problem& problem, const Rational& from, const Rational& to) {
+std::vector<StretchText> Solver::certify_load_range(const Problem& problem, const Rational& from, const Rational& to) {
   const auto contact_at = [&](const Rational& load) -> std::optional<ApproximateContact> {
     const numeric::Attempt<double> found = attempt<double>(wanted_.method, problem.contact.with_load(load), nullptr);
     if (!found.solution || !found.solution->failed_condition().empty()) return std::nullopt;

@@ -35,7 +35,7 @@ class Solver {
 
   /// Proves the solutions for all loads between two. Returns the stretches from left to right
   /// (enclosure/loads/load_path.hpp).
-  std::vector<StretchText> between(const Problem& problem, const Rational& from, const Rational& to);
+  std::vector<StretchText> certify_load_range(const Problem& problem, const Rational& from, const Rational& to);
   /// Returns the certificate of all stretches so far. They have to be proved and consecutive.
   std::string loads_certificate(const Problem& problem) const { return certificate(problem.contact, intervals_); }
 

@@ -100,7 +100,7 @@ class Follower {
     auto next = open.begin();
     for (std::size_t i = 0; i <= found_.proved.size(); ++i) {
       if (next != open.end() && *next == i) {
-        result.push_back(between(i, low(i), high(i)));
+        result.push_back(certify_load_range(i, low(i), high(i)));
         ++next;
       }
       if (i < found_.proved.size()) result.push_back(found_.proved[i]);
@@ -259,7 +259,7 @@ class Follower {
   }
 
   /// Returns the stretch before the proved interval i, from `low` to `high`.
-  LoadStretch between(std::size_t i, const Rational& low, const Rational& high) const {
+  LoadStretch certify_load_range(std::size_t i, const Rational& low, const Rational& high) const {
     const bool inside = i > 0 && i < found_.proved.size();
     if (inside) {
       const ContactBox& before = found_.proved[i - 1].interval->at_to;

@@ -27,8 +27,10 @@ LeadingTerm<R> power_term(const TractionRepresentation<R>& form, std::size_t poi
   if (is_end) factor *= form.problem().cos_alpha(form.friction_at(segment));
   const bool decided = abs(b.value) > 4 * error;
   const int sign = b.value * form.sign(static_cast<std::ptrdiff_t>(segment)) > 0 ? 1 : -1;
-  return {
-      LeadingTerm<R>::Is::power, {factor * b.value, abs(factor) * error}, form.power(point).value, decided ? sign : 0};
+  return {LeadingTerm<R>::Kind::power,
+          {factor * b.value, abs(factor) * error},
+          form.power(point).value,
+          decided ? sign : 0};
 }
 
 }  // namespace
@@ -36,7 +38,7 @@ LeadingTerm<R> power_term(const TractionRepresentation<R>& form, std::size_t poi
 template <Real R>
 std::optional<LeadingTerm<R>> leading_term(const TractionRepresentation<R>& form, std::size_t point,
                                            const R& end_error) {
-  using Is = typename LeadingTerm<R>::Is;
+  using Kind = typename LeadingTerm<R>::Kind;
   const ContactSet<R>& set = form.set();
   if (set.point(point).is_end()) return power_term(form, point, end_error);
   if (point == 0 || point == set.segments() || !set.in_contact(point)) return std::nullopt;
@@ -47,8 +49,8 @@ std::optional<LeadingTerm<R>> leading_term(const TractionRepresentation<R>& form
   const bool jumps = beta != 0;
   const R coefficient = slope_jump(form, point) / (jumps ? set.anchor_at(point)->s_jump : 1 + s * s);
   // log d and [s] are negative where they are used.
-  return LeadingTerm<R>{jumps ? Is::constant : Is::logarithm, Estimate<R>{coefficient, R(0)}.widened(4 * epsilon<R>()),
-                        R(0), -wedge};
+  return LeadingTerm<R>{jumps ? Kind::constant : Kind::logarithm,
+                        Estimate<R>{coefficient, R(0)}.widened(4 * epsilon<R>()), R(0), -wedge};
 }
 
 template <Real R>
@@ -97,21 +99,21 @@ std::vector<HairlineGap<R>> hairline_gaps(const TractionRepresentation<R>& form,
 
 template <Real R>
 R highest_limit(const TractionRepresentation<R>& form, const R& end_error) {
-  using Is = typename LeadingTerm<R>::Is;
+  using Kind = typename LeadingTerm<R>::Kind;
   R highest = 0;
   for (std::size_t j = 0; j < form.set().points().size(); ++j) {
     const std::optional<LeadingTerm<R>> term = leading_term(form, j, end_error);
     if (!pulls(form, j, term)) continue;
-    if (term->is == Is::logarithm || term->power < 0) return infinity<R>();
-    if (term->is == Is::constant) highest = std::max(highest, term->coefficient.value);
-    if (term->is == Is::power && term->power == 0) highest = std::max(highest, -term->coefficient.value);
+    if (term->kind == Kind::logarithm || term->power < 0) return infinity<R>();
+    if (term->kind == Kind::constant) highest = std::max(highest, term->coefficient.value);
+    if (term->kind == Kind::power && term->power == 0) highest = std::max(highest, -term->coefficient.value);
   }
   return highest;
 }
 
 template <Real R>
 std::string in_words(const TractionRepresentation<R>& form, std::size_t point, const LeadingTerm<R>& term) {
-  using Is = typename LeadingTerm<R>::Is;
+  using Kind = typename LeadingTerm<R>::Kind;
   const auto& anchor = form.set().point(point).anchor;
   const Frame& frame = form.problem().frame();
   const R scale = pow(to_real<R>(frame.unit), -term.power);
@@ -124,9 +126,9 @@ std::string in_words(const TractionRepresentation<R>& form, std::size_t point, c
     text << number(to_real<R>(frame.origin) + to_real<R>(frame.unit) * form.set().x(point));
   }
   text << " pulls: "
-       << (term.is == Is::power      ? "theta"
-           : term.is == Is::constant ? "[psi']/[s]"
-                                     : "[psi']/(1+s^2) log(d)/pi with")
+       << (term.kind == Kind::power      ? "theta"
+           : term.kind == Kind::constant ? "[psi']/[s]"
+                                         : "[psi']/(1+s^2) log(d)/pi with")
        << " = " << number(scale * term.coefficient.value);
   text.precision(1);
   text << " +- " << number(scale * term.coefficient.error);

@@ -22,9 +22,9 @@ namespace steadyslide::numeric {
 
 template <Real R>
 struct LeadingTerm {
-  enum class Is { power, constant, logarithm } is;
+  enum class Kind { power, constant, logarithm } kind;
   Estimate<R> coefficient;  ///< theta, D/[s] or D/(1+s^2) of the table, reduced and in xi
-  R power;                  ///< of d; 0 except for Is::power
+  R power;                  ///< of d; 0 except for Kind::power
   int sign;                 ///< sign of t next to the point; 0 if the error leaves it undecided
 };
 

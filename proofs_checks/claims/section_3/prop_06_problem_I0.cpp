@@ -3,7 +3,7 @@
 
 #include "proofs_checks/instruments/cells/dense_algebra.hpp"
 #include "proofs_checks/instruments/cells/interior_point.hpp"
-#include "proofs_checks/instruments/operators/dual_study.hpp"
+#include "proofs_checks/instruments/operators/moment_comparison.hpp"
 #include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::prop_06_problem_I0 {

@@ -1,5 +1,5 @@
 #include "proofs_checks/instruments/cells/interior_point.hpp"
-#include "proofs_checks/instruments/operators/dual_study.hpp"
+#include "proofs_checks/instruments/operators/moment_comparison.hpp"
 #include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::prop_07_problem_I {

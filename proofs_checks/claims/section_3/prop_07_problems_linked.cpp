@@ -1,6 +1,6 @@
 #include <variant>
 
-#include "proofs_checks/instruments/operators/dual_study.hpp"
+#include "proofs_checks/instruments/operators/moment_comparison.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/kit/claim_builder.hpp"
 

@@ -120,7 +120,7 @@ TEST_CASE("the constant at a wedge is that of the exact jumps, of s and of the s
       const FullContact<double> full(reduced({0.3_r, s_right}, {0}, roof(0.125_r - wedge, 0.125_r), 4));
       const auto term = leading_term(*full.form, 1);
       REQUIRE(term);
-      CHECK(term->is == LeadingTerm<double>::Is::constant);
+      CHECK(term->kind == LeadingTerm<double>::Kind::constant);
       const double expected = to_real<double>(Rational(wedge / (s_right - 0.3_r)));
       CHECK(std::abs(term->coefficient.value - expected) <= term->coefficient.error);
       CHECK(term->coefficient.error <= 1e-15 * std::abs(expected));

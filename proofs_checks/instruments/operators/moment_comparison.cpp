@@ -1,4 +1,4 @@
-#include "proofs_checks/instruments/operators/dual_study.hpp"
+#include "proofs_checks/instruments/operators/moment_comparison.hpp"
 
 #include <algorithm>
 #include <cmath>
