@@ -39,6 +39,11 @@ std::vector<Indenter::Break> Indenter::breaks() const {
   return result;
 }
 
+Indenter::Break Indenter::Break::reduced(const Rational& origin, const Rational& unit,
+                                         const Rational& compliance) const {
+  return {(x - origin) / unit, step / (compliance * unit), wedge / compliance};
+}
+
 bool Indenter::is_smooth() const {
   const std::vector<Break> all = breaks();
   return std::all_of(all.begin(), all.end(), [](const Break& b) { return b.step == 0 && b.wedge == 0; });

@@ -31,8 +31,11 @@ class Indenter {
   /// The jumps of value and slope where piece k meets piece k + 1: right minus left.
   struct Break {
     Rational x;
-    Rational step;
-    Rational wedge;
+    Rational step = 0;
+    Rational wedge = 0;
+
+    /// Returns the break in the coordinate (x - origin)/unit, for heights psi/(compliance unit).
+    Break reduced(const Rational& origin, const Rational& unit, const Rational& compliance) const;
   };
   std::vector<Break> breaks() const;
   /// True if the profile has neither a wedge nor a step.

@@ -25,14 +25,9 @@ ReducedProblem::ReducedProblem(const ContactProblem& problem, const Frame& frame
   const std::vector<Indenter::Break> breaks = problem.indenter().breaks();
   std::size_t profile = 0;
   for (const ContactProblem::Piece& piece : problem.pieces()) {
-    Anchor anchor{reduced(piece.left)};
-    if (piece.profile != profile) {
-      const Indenter::Break& at = breaks[profile];
-      anchor.step = at.step / (c * frame.unit);
-      anchor.wedge = at.wedge / c;
-      profile = piece.profile;
-    }
-    anchors.push_back(std::move(anchor));
+    const Indenter::Break at = piece.profile != profile ? breaks[profile] : Indenter::Break{piece.left};
+    anchors.push_back(at.reduced(frame.origin, frame.unit, c));
+    profile = piece.profile;
     intervals.push_back({slope_of_profile[profile], piece.friction, problem.coupled_friction(piece.friction)});
   }
   anchors.push_back({reduced(problem.indenter().right())});

@@ -25,11 +25,8 @@ struct ReducedProblem {
   /// 0 < from <= to.
   ReducedProblem for_loads(const Rational& from, const Rational& to) const;
 
-  struct Anchor {
-    Rational x;          ///< xi
-    Rational step = 0;   ///< height on the right minus height on the left; 0 at the ends of the support
-    Rational wedge = 0;  ///< g on the right minus g on the left; 0 there too
-  };
+  /// A place of the data, in xi, with the jumps of the height and of g there. They are 0 at the ends of the support.
+  using Anchor = Indenter::Break;
   struct Interval {
     std::size_t slope;     ///< index into `slopes`
     std::size_t friction;  ///< index of the friction value

@@ -9,12 +9,12 @@ namespace {
 
 // In the order of SingularKind: end, friction jumps, slope jumps; power, logarithm, constant.
 constexpr std::array<LocalTerms, 6> all_local_terms{{
-    {SingularKind::edge, "edge", true, false, false, true, false, false},
-    {SingularKind::free, "free", true, false, false, true, false, false},
-    {SingularKind::step, "step", true, false, false, true, false, false},
-    {SingularKind::friction_jump, "friction_jump", false, true, false, true, false, false},
-    {SingularKind::wedge, "wedge", false, false, true, false, true, true},
-    {SingularKind::wedge_and_jump, "wedge_and_jump", false, true, true, true, false, true},
+    {SingularKind::edge, "edge", "edge", true, false, false, true, false, false},
+    {SingularKind::free, "free", "free end", true, false, false, true, false, false},
+    {SingularKind::step, "step", "step", true, false, false, true, false, false},
+    {SingularKind::friction_jump, "friction_jump", "friction jump", false, true, false, true, false, false},
+    {SingularKind::wedge, "wedge", "wedge", false, false, true, false, true, true},
+    {SingularKind::wedge_and_jump, "wedge_and_jump", "wedge and friction jump", false, true, true, true, false, true},
 }};
 static_assert(std::is_sorted(all_local_terms.begin(), all_local_terms.end(),
                              [](const LocalTerms& a, const LocalTerms& b) { return a.kind < b.kind; }));
@@ -76,6 +76,13 @@ std::optional<SingularKind> inner_kind(bool friction_jumps, bool slope_jumps) {
   return std::nullopt;
 }
 
+std::optional<InnerTerms> inner_terms(const Rational& s_left, const Rational& s_right, const Indenter::Break& at) {
+  const std::optional<SingularKind> kind = inner_kind(s_left != s_right, at.wedge != 0);
+  if (!kind) return std::nullopt;
+  if (local_terms(*kind).has_logarithm) return InnerTerms{*kind, at.wedge / (1 + s_left * s_left), 0};
+  return InnerTerms{*kind, 0, at.wedge / (s_right - s_left)};
+}
+
 std::string_view name_of(ContactSide side) {
   switch (side) {
     case ContactSide::left: return "left";
@@ -94,8 +101,8 @@ std::vector<SingularPoint> possible_singular_points(const ContactProblem& proble
     const ContactProblem::Piece& left = pieces[k - 1];
     const ContactProblem::Piece& right = pieces[k];
     const bool is_break = left.profile != right.profile;
-    add_interior(problem, left.friction, right.friction,
-                 is_break ? breaks[left.profile] : Indenter::Break{right.left, 0, 0}, points);
+    add_interior(problem, left.friction, right.friction, is_break ? breaks[left.profile] : Indenter::Break{right.left},
+                 points);
   }
   add_ends(problem, problem.indenter().right(), End::right, points);
 

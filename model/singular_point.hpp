@@ -27,18 +27,30 @@ enum class SingularKind { edge, free, step, friction_jump, wedge, wedge_and_jump
 /// The terms of the traction beside a singular point of one kind. [Bal16, theorems 2 and 3]
 struct LocalTerms {
   SingularKind kind;
-  std::string_view name;  ///< in the interface and in files
-  bool is_end;            ///< contact ends there; otherwise there is contact on both sides
-  bool friction_jumps;    ///< the friction changes there
-  bool slope_jumps;       ///< the slope of the profile changes there
-  bool has_power;         ///< the traction has a power of the distance
-  bool has_logarithm;     ///< the traction has a logarithm of the distance
-  bool has_constant;      ///< the traction has a constant besides
+  std::string_view name;   ///< in the interface and in files
+  std::string_view words;  ///< in sentences
+  bool is_end;             ///< contact ends there; otherwise there is contact on both sides
+  bool friction_jumps;     ///< the friction changes there
+  bool slope_jumps;        ///< the slope of the profile changes there
+  bool has_power;          ///< the traction has a power of the distance
+  bool has_logarithm;      ///< the traction has a logarithm of the distance
+  bool has_constant;       ///< the traction has a constant besides
 };
 const LocalTerms& local_terms(SingularKind kind);
 inline std::string_view name_of(SingularKind kind) { return local_terms(kind).name; }
 /// Returns the kind of a point inside the contact on the basis of what jumps there; absent if nothing does.
 std::optional<SingularKind> inner_kind(bool friction_jumps, bool slope_jumps);
+
+/// The exact terms of the traction at a point c inside the contact where something jumps, in reduced quantities:
+///   t ~ constant - theta cos(pi alpha) |x - c|^beta   or   t ~ constant + logarithm log|x - c|/pi.
+/// theta, and the constant beside a logarithm, depend on the whole contact and are not known here.
+struct InnerTerms {
+  SingularKind kind;
+  Rational logarithm = 0;
+  Rational constant = 0;
+};
+/// Returns the terms where s and the profile jump like this; absent if neither s nor the slope jumps.
+std::optional<InnerTerms> inner_terms(const Rational& s_left, const Rational& s_right, const Indenter::Break& at);
 
 enum class ContactSide { left, right, both };
 std::string_view name_of(ContactSide side);

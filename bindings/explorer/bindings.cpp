@@ -60,6 +60,7 @@ val point_object(const Point& point) {
   const std::optional<Exponent> exponent = point.exponent;
   return object({{"x", shown(point.x)},
                  {"kind", text(name_of(point.kind))},
+                 {"words", text(local_terms(point.kind).words)},
                  {"exponent", shown(exponent)},
                  {"sign", val(exponent ? exponent->sign() : -1)},
                  {"symbolic", text(exponent ? to_string(*exponent) : "log")},

@@ -63,6 +63,10 @@ Ball EnclosedSolution::stress_intensity(std::size_t j, const Ball& coefficient) 
   return coefficient * power(Ball(2) * Ball::pi(bits_), -Ball(set().exponent(j), bits_));
 }
 
+std::optional<InnerTerms> EnclosedSolution::inner_terms_at(std::size_t j) const {
+  return inner_terms(set().interval(j - 1).s, set().interval(j).s, reduced_->anchors[set().point(j).anchor]);
+}
+
 std::vector<EnclosedSolution::Point> EnclosedSolution::singular_points() const {
   std::vector<Point> result;
   const Ball pi = Ball::pi(bits_);
@@ -77,24 +81,22 @@ std::vector<EnclosedSolution::Point> EnclosedSolution::singular_points() const {
     }
     if (!on_left || !on_right) continue;
     const std::size_t anchor = set().point(j).anchor;
-    const Rational& s_left = set().interval(j - 1).s;
-    const Rational& s_right = set().interval(j).s;
-    const Rational& wedge = reduced_->anchors[anchor].wedge;
-    const std::optional<SingularKind> kind = inner_kind(s_left != s_right, wedge != 0);
-    if (!kind) continue;
+    const std::optional<InnerTerms> terms = inner_terms_at(j);
+    if (!terms) continue;
     const Ball x(reduced_->place(anchor), bits_);
-    if (local_terms(*kind).has_power) {
+    if (local_terms(terms->kind).has_power) {
       const Ball theta = -amplitude(j, j) / set().cos_alpha(j) * power(unit_, -set().power(j));
-      const auto beside = [&](const Rational& s) {
+      const auto beside = [&](std::size_t segment) {
+        const Rational& s = set().interval(segment).s;
         return stress_intensity(j, theta) / sqrt(Ball(Rational(1 + s * s), bits_));
       };
-      const Ball constant(Rational(wedge / (s_right - s_left)), bits_);
-      result.push_back({x, *kind, set().exponent(j), theta, constant, {beside(s_left), beside(s_right)}});
+      const Ball constant(terms->constant, bits_);
+      result.push_back({x, terms->kind, set().exponent(j), theta, constant, {beside(j - 1), beside(j)}});
       continue;
     }
     // The limit from the left of t - theta log|x - c|/pi, |x - c| in the user's unit.
-    const Ball theta(Rational(wedge / (1 + s_left * s_left)), bits_);
-    result.push_back({x, *kind, std::nullopt, theta, amplitude(j, j - 1) - theta * log(unit_) / pi, {}});
+    const Ball theta(terms->logarithm, bits_);
+    result.push_back({x, terms->kind, std::nullopt, theta, amplitude(j, j - 1) - theta * log(unit_) / pi, {}});
   }
   return result;
 }
@@ -179,9 +181,9 @@ Ball EnclosedSolution::traction_limit(std::size_t j, Side side) const {
     if (set().power(j).is_negative()) return Ball::infinity(-1, bits_);
     if (set().point(j).is_end()) return Ball(0, bits_);
   }
-  const Rational& wedge = reduced_->anchors[set().point(j).anchor].wedge;
-  if (!set().is_regular(j)) return Ball(Rational(wedge / (set().interval(j).s - set().interval(j - 1).s)), bits_);
-  return wedge == 0 ? amplitude(j, segment) : Ball::infinity(-1, bits_);
+  const std::optional<InnerTerms> terms = inner_terms_at(j);
+  if (!terms) return amplitude(j, segment);
+  return set().is_regular(j) ? Ball::infinity(-1, bits_) : Ball(terms->constant, bits_);
 }
 
 Ball EnclosedSolution::traction_at(const SurfacePoint& place) const {

@@ -65,6 +65,8 @@ class EnclosedSolution {
   SurfacePoint seen_from(std::size_t segment, const Rational& xi) const;
   End end(std::size_t j) const;
   /// Returns theta' (2 pi)^-lambda, where lambda is the exponent at point j.
+  /// Returns the exact terms at point j inside the contact; absent if nothing jumps there.
+  std::optional<InnerTerms> inner_terms_at(std::size_t j) const;
   Ball stress_intensity(std::size_t j, const Ball& coefficient) const;
   /// Returns eps cos(pi alpha) prod' |x - x_j|^p B without its singular term, as the limit in the segment at its point
   /// j.

@@ -63,10 +63,10 @@ std::vector<Rational> rounded_kinks(const Indenter& indenter) {
   std::vector<Rational> result;
   const std::vector<Indenter::Break> breaks = indenter.breaks();
   for (std::size_t k = 0; k < breaks.size(); ++k) {
-    const auto& [x, step, wedge] = breaks[k];
+    const Rational& x = breaks[k].x;
     const Rational size =
         size_of_slope(indenter.pieces()[k].profile, x) + size_of_slope(indenter.pieces()[k + 1].profile, x);
-    if (step == 0 && abs(wedge) * roundings <= size) result.push_back(x);
+    if (breaks[k].step == 0 && abs(breaks[k].wedge) * roundings <= size) result.push_back(x);
   }
   return result;
 }

@@ -107,8 +107,8 @@ Estimate<R> RiemannHilbertSolution<R>::intensity(std::size_t j) const {
   const std::size_t friction = form_.friction_at(side == Side::right ? j : j - 1);
   if (inside && form_.exponent(j).sign() == 0) {
     // A wedge: the coefficient of log|x - c|/pi.
-    const Rational s = problem_.coupled_friction(friction);
-    const R theta = to_real<R>(Rational(wedge(j) / (1 + s * s)));
+    const std::optional<InnerTerms> terms = inner_terms_at(j);
+    const R theta = terms ? to_real<R>(terms->logarithm) : R(0);
     return {theta, epsilon<R>() * abs(theta)};
   }
   const Estimate<R> t = amplitude(j, side);
@@ -119,19 +119,25 @@ Estimate<R> RiemannHilbertSolution<R>::intensity(std::size_t j) const {
 }
 
 template <Real R>
+std::optional<InnerTerms> RiemannHilbertSolution<R>::inner_terms_at(std::size_t j) const {
+  const auto s = [&](std::size_t segment) { return problem_.coupled_friction(form_.friction_at(segment)); };
+  return inner_terms(s(j - 1), s(j), contact_set().anchor_at(j)->exact);
+}
+
+template <Real R>
 Estimate<R> RiemannHilbertSolution<R>::constant(std::size_t j) const {
   if (contact_set().point(j).is_end() || !form_.changes_polynomial(j)) return {};
-  const Rational& d = wedge(j);
-  const Rational s = problem_.coupled_friction(form_.friction_at(j - 1));
-  if (form_.exponent(j).sign() != 0) {
-    // Computed from exact data: in R the difference of two close s would lose its digits.
-    const R a = to_real<R>(Rational(d / (problem_.coupled_friction(form_.friction_at(j)) - s)));
+  const std::optional<InnerTerms> terms = inner_terms_at(j);
+  if (!terms) return {};
+  if (!local_terms(terms->kind).has_logarithm) {
+    // From exact data: in R the difference of two close s would lose its digits.
+    const R a = to_real<R>(terms->constant);
     return {a, epsilon<R>() * abs(a)};
   }
   // The limit from the left of t - D/(1+s^2) log|x-c|/pi, |x-c| in the user's unit.
   const Estimate<R> t = amplitude(j, Side::left);
   const R& cos_alpha = reduced_.cos_alpha(form_.friction_at(j - 1));
-  const R unit = to_real<R>(Rational(d / (1 + s * s))) * log(unit_) / pi<R>();
+  const R unit = to_real<R>(terms->logarithm) * log(unit_) / pi<R>();
   return cos_alpha * t - Estimate<R>{unit, 4 * epsilon<R>() * abs(unit)};
 }
 
@@ -207,17 +213,17 @@ std::vector<SolvedSingularPoint<R>> RiemannHilbertSolution<R>::singular_points()
       continue;
     }
     if (!in_contact_at(j, Side::left) || !in_contact_at(j, Side::right)) continue;
-    const Exponent& beta = form_.exponent(j);
-    const std::optional<SingularKind> kind = inner_kind(beta.sign() != 0, wedge(j) != 0);
-    if (!kind) continue;
-    if (local_terms(*kind).has_power) {
+    const std::optional<InnerTerms> terms = inner_terms_at(j);
+    if (!terms) continue;
+    if (local_terms(terms->kind).has_power) {
       const Estimate<R> theta = intensity(j);
       const auto on_side = [&](std::size_t segment) {
         return stress_intensity_of<R>(reduced_.cos_alpha(form_.friction_at(segment)) * theta, form_.power(j).value);
       };
-      result.push_back({coordinate(j), *kind, beta, theta, constant(j), {on_side(j - 1), on_side(j)}});
+      result.push_back(
+          {coordinate(j), terms->kind, form_.exponent(j), theta, constant(j), {on_side(j - 1), on_side(j)}});
     } else {
-      result.push_back({coordinate(j), *kind, std::nullopt, intensity(j), constant(j), {}});
+      result.push_back({coordinate(j), terms->kind, std::nullopt, intensity(j), constant(j), {}});
     }
   }
   return result;

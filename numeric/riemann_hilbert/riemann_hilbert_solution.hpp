@@ -74,7 +74,8 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   Estimate<R> traction(const SurfacePoint<R>& at) const;
   Estimate<R> constant(std::size_t j) const;
   /// Returns the jump of g at a point where the contact changes its polynomial.
-  const Rational& wedge(std::size_t j) const { return contact_set().anchor_at(j)->wedge; }
+  /// Returns the exact terms at point j inside the contact; absent if nothing jumps there.
+  std::optional<InnerTerms> inner_terms_at(std::size_t j) const;
   bool in_contact_at(std::size_t j, Side side) const;
 
   std::optional<std::size_t> point_at(const SurfacePoint<R>& at) const;

@@ -81,7 +81,8 @@ Estimate<R> RiemannHilbertSolution<R>::traction_limit(std::size_t j, Side side) 
   if (form_.changes_polynomial(j)) {
     if (p.sign() > 0) return constant(j);
     // If there is no corner (only the curvature changes), the factor of the logarithm is zero.
-    if (const int corner = sign(wedge(j)); corner != 0) return {corner > 0 ? -infinity<R>() : infinity<R>(), R(0)};
+    const int corner = sign(contact_set().anchor_at(j)->exact.wedge);
+    if (corner != 0) return {corner > 0 ? -infinity<R>() : infinity<R>(), R(0)};
   }
   if (p.sign() > 0) return {};
   return reduced_.cos_alpha(form_.friction_at(side == Side::left ? j - 1 : j)) * amplitude(j, side);

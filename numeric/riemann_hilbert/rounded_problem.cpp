@@ -15,12 +15,12 @@ RoundedProblem<R>::RoundedProblem(const ContactProblem& problem, const Frame& fr
     slopes_.push_back(coefficients_of<R>(slope));
   }
   for (std::size_t k = 0; k < exact_.anchors.size(); ++k) {
-    const auto& [x, step, wedge] = exact_.anchors[k];
-    Anchor anchor{to_real<R>(x), to_real<R>(step), sign(step), false, wedge, R(0)};
-    if (k > 0) spacing_.push_back(to_real<R>(Rational(x - exact_.anchors[k - 1].x)));
+    const ReducedProblem::Anchor& at = exact_.anchors[k];
+    Anchor anchor{to_real<R>(at.x), to_real<R>(at.step), sign(at.step), false, R(0), at};
+    if (k > 0) spacing_.push_back(to_real<R>(Rational(at.x - exact_.anchors[k - 1].x)));
     if (k > 0 && k < exact_.intervals.size()) {
       const ReducedProblem::Interval &left = exact_.intervals[k - 1], &right = exact_.intervals[k];
-      anchor.is_break = left.slope != right.slope || step != 0;
+      anchor.is_break = left.slope != right.slope || at.step != 0;
       anchor.s_jump = to_real<R>(Rational(right.s - left.s));
     }
     anchors_.push_back(std::move(anchor));

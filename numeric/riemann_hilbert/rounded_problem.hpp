@@ -25,9 +25,9 @@ class RoundedProblem {
     R x;     ///< xi
     R step;  ///< height on the right minus height on the left; 0 at the support's ends
     int step_sign;
-    bool is_break;   ///< the profile changes its polynomial here
-    Rational wedge;  ///< the jump of g, exact
-    R s_jump;        ///< s on the right minus s on the left, from the exact difference
+    bool is_break;  ///< the profile changes its polynomial here
+    R s_jump;       ///< s on the right minus s on the left, from the exact difference
+    ReducedProblem::Anchor exact;
   };
 
   const ContactProblem& problem() const { return *problem_; }

@@ -50,7 +50,7 @@ LocalPlace with_jump(const LocalPlace& place, const ex& jump) {
 class Solver {
  public:
   explicit Solver(const LocalPlace& place)
-      : frame_(place), form_{place, frame_, LocalKind::interior, {}, {}, {}, {}, {}, {}, symbol("theta"), {}} {
+      : frame_(place), form_{place, frame_, std::nullopt, {}, {}, {}, {}, {}, {}, symbol("theta"), {}} {
     if (place.left.slopes.size() < 3 || place.right.slopes.size() < 3) {
       throw std::domain_error("local form: slopes to the order 2");
     }
@@ -76,19 +76,18 @@ class Solver {
  private:
   bool both() const { return sides_.size() == 2; }
 
-  LocalKind kind() const {
+  std::optional<SingularKind> kind() const {
     const LocalPlace& place = form_.place;
     if (!both()) {
-      return place.beyond == Beyond::nothing ? LocalKind::edge
-             : place.beyond == Beyond::step  ? LocalKind::step
-                                             : LocalKind::free_end;
+      return place.beyond == Beyond::nothing ? SingularKind::edge
+             : place.beyond == Beyond::step  ? SingularKind::step
+                                             : SingularKind::free;
     }
     bool wedge = false;
     for (std::size_t n = 0; n < 3; ++n) {
       wedge = wedge || !frame_.field().are_equal(place.left.slopes[n], place.right.slopes[n]).holds;
     }
-    if (frame_.one_friction()) return wedge ? LocalKind::wedge : LocalKind::interior;
-    return wedge ? LocalKind::wedge_and_jump : LocalKind::jump;
+    return inner_kind(!frame_.one_friction(), wedge);
   }
 
   std::vector<symbol> unknowns(const std::string& name) const {
@@ -220,7 +219,7 @@ class Solver {
           {"lambda = " + frame_.text(lambda).text + ",  A_l : A_r = " + kept.text,
            gathered("\\lambda = " + frame_.text(lambda).latex,
                     "A_- : A_+ = \\cos\\pi\\alpha_- : \\cos\\pi\\alpha_+ = " + kept.latex)});
-    } else if (form_.kind == LocalKind::free_end && penetrates(form_, frame_, lambda)) {
+    } else if (form_.kind == SingularKind::free && penetrates(form_, frame_, lambda)) {
       lambda += AngleForm(2);
       if (penetrates(form_, frame_, lambda)) throw std::domain_error("local form: no free end");
     }
@@ -322,19 +321,6 @@ class Solver {
 };
 
 }  // namespace
-
-std::string name_of(LocalKind kind) {
-  switch (kind) {
-    case LocalKind::interior: return "interior point";
-    case LocalKind::wedge: return "wedge";
-    case LocalKind::jump: return "friction jump";
-    case LocalKind::wedge_and_jump: return "wedge and friction jump";
-    case LocalKind::edge: return "edge";
-    case LocalKind::free_end: return "free end";
-    case LocalKind::step: return "step";
-  }
-  return "";
-}
 
 LocalDensity LocalForm::density() const {
   LocalDensity result;

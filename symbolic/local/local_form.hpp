@@ -19,9 +19,6 @@
 
 namespace steadyslide::symbolic {
 
-enum class LocalKind { interior, wedge, jump, wedge_and_jump, edge, free_end, step };
-std::string name_of(LocalKind kind);
-
 /// left (for x < 0) or right (for x > 0) times x^order |x|^lambda log(|x|)^logs; without |x|^lambda unless
 /// `fractional`.
 struct LocalFormTerm {
@@ -52,8 +49,8 @@ struct OutsideSlope {
 
 struct LocalForm {
   LocalPlace place;
-  LocalFrame frame;  ///< the field of all expressions below, with its own radicals and pi
-  LocalKind kind;
+  LocalFrame frame;                   ///< the field of all expressions below, with its own radicals and pi
+  std::optional<SingularKind> kind;   ///< absent: nothing jumps there
   std::optional<AngleForm> exponent;  ///< the leading power that is not an integer, if there is one
   std::optional<GiNaC::ex> ratio;     ///< of its amplitudes, left : right, if both sides are in contact
   std::vector<LocalFormTerm> terms;   ///< three orders, the largest near the point first

@@ -59,7 +59,7 @@ void add_jump_conditions(LocalForm& form, const LocalFrame& frame) {
   if (blows_up) {
     add(form, "`s` increases: the power dominates, and `t <= 0` asks for one sign of its amplitude.", form.theta,
         Sign::nonnegative, theta);
-    if (form.kind == LocalKind::wedge_and_jump) {
+    if (form.kind == SingularKind::wedge_and_jump) {
       form.derivation.conclude(
           "The constant `A = [psi_bar']/[s]` stays below the power wherever `theta > 0`: the wedge may be re-entrant.",
           name);
@@ -84,13 +84,13 @@ void add_jump_conditions(LocalForm& form, const LocalFrame& frame) {
 
 void add_end_conditions(LocalForm& form, const LocalFrame& frame) {
   add(form, "The leading power has the sign of `t`.", form.theta, Sign::nonnegative, theta);
-  if (form.kind == LocalKind::free_end) {
+  if (form.kind == SingularKind::free) {
     add(form,
         "Beyond the end the gap is `[psi_bar'] d` to first order, and must not be negative: no contact ends at a "
         "re-entrant wedge.",
         slope_jump(form, 0), Sign::nonnegative, slope_jump_text(form, frame, 0));
   }
-  if (form.kind == LocalKind::step) {
+  if (form.kind == SingularKind::step) {
     form.derivation.conclude(
         "The indenter steps away from the body beyond the end: the gap there begins with the height of the step, and "
         "asks for nothing. On the other side of the step contact cannot end: the surface would have to jump.");
@@ -141,27 +141,18 @@ void add_outside(LocalForm& form, const LocalFrame& frame) {
 }
 
 void add_conditions(LocalForm& form, const LocalFrame& frame) {
-  switch (form.kind) {
-    case LocalKind::jump:
-    case LocalKind::wedge_and_jump: return add_jump_conditions(form, frame);
-    case LocalKind::edge:
-    case LocalKind::free_end:
-    case LocalKind::step: return add_end_conditions(form, frame);
-    case LocalKind::wedge:
-      if (!frame.field().is_identically_zero(slope_jump(form, 0)).holds) {
-        add(form,
-            "`log|x|` tends to `-infinity`: `t <= 0` asks for the sign of its coefficient, so that there is no contact "
-            "around a re-entrant wedge.",
-            slope_jump(form, 0), Sign::nonnegative, slope_jump_text(form, frame, 0));
-        return;
-      }
-      [[fallthrough]];
-    case LocalKind::interior: {
-      for (const LocalFormTerm& term : form.terms) {
-        if (!term.forced && term.order == 0) {
-          add(form, "`t` is continuous at the point.", term.left, Sign::nonpositive, {"a_0", "a_0"});
-        }
-      }
+  if (form.kind && local_terms(*form.kind).is_end) return add_end_conditions(form, frame);
+  if (form.kind && local_terms(*form.kind).friction_jumps) return add_jump_conditions(form, frame);
+  if (form.kind && !frame.field().is_identically_zero(slope_jump(form, 0)).holds) {
+    add(form,
+        "`log|x|` tends to `-infinity`: `t <= 0` asks for the sign of its coefficient, so that there is no contact "
+        "around a re-entrant wedge.",
+        slope_jump(form, 0), Sign::nonnegative, slope_jump_text(form, frame, 0));
+    return;
+  }
+  for (const LocalFormTerm& term : form.terms) {
+    if (!term.forced && term.order == 0) {
+      add(form, "`t` is continuous at the point.", term.left, Sign::nonpositive, {"a_0", "a_0"});
     }
   }
 }
@@ -169,7 +160,8 @@ void add_conditions(LocalForm& form, const LocalFrame& frame) {
 void describe(LocalForm& form, const LocalFrame& frame) {
   const LocalPlace& place = form.place;
   const bool both = place.contact == ContactSide::both;
-  form.derivation.title = "Local form of `t`: " + name_of(form.kind);
+  form.derivation.title =
+      "Local form of `t`: " + std::string(form.kind ? local_terms(*form.kind).words : "interior point");
   if (!both)
     form.derivation.title += place.contact == ContactSide::right ? ", contact on the right" : ", contact on the left";
   form.derivation.assume(
@@ -192,7 +184,7 @@ void describe(LocalForm& form, const LocalFrame& frame) {
                                " only, `t = 0` on the other side, whose friction therefore plays no part; `d = |x|`.",
                            {"s = " + s.text, "s = " + s.latex});
   }
-  if (both && (form.kind == LocalKind::wedge || form.kind == LocalKind::wedge_and_jump)) {
+  if (form.kind && local_terms(*form.kind).slope_jumps) {
     form.derivation.assume("The slope of the indenter jumps, or a derivative of it.", slope_jump_text(form, frame, 0));
   }
 }
@@ -242,15 +234,12 @@ Formula form_text(const LocalForm& form) {
 }
 
 std::string legend(const LocalForm& form) {
-  switch (form.kind) {
-    case LocalKind::interior: return "`t` is analytic.";
-    case LocalKind::wedge: return "`H(x)` is Heaviside's function; the `a_n` are left to the whole problem.";
-    case LocalKind::jump: return "`t` is `|x|^lambda cos(pi alpha(x))` times one analytic function.";
-    case LocalKind::wedge_and_jump:
-      return "`t` is `D(x)/[s]` and `|x|^lambda cos(pi alpha(x))` times one analytic function, no logarithm at any "
-             "order.";
-    default: return "`t` is `d^lambda` times one analytic function.";
-  }
+  if (!form.kind) return "`t` is analytic.";
+  const LocalTerms& terms = local_terms(*form.kind);
+  if (terms.is_end) return "`t` is `d^lambda` times one analytic function.";
+  if (terms.has_logarithm) return "`H(x)` is Heaviside's function; the `a_n` are left to the whole problem.";
+  if (!terms.has_constant) return "`t` is `|x|^lambda cos(pi alpha(x))` times one analytic function.";
+  return "`t` is `D(x)/[s]` and `|x|^lambda cos(pi alpha(x))` times one analytic function, no logarithm at any order.";
 }
 
 }  // namespace steadyslide::symbolic

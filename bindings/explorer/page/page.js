@@ -207,8 +207,6 @@ function rest() {
     (shownResult.unique ? 'Theorem 1 says that there is no other solution.' : 'No theorem says that this is the only solution.');
 }
 
-const kinds = {edge: 'edge of the indenter', free: 'free end', step: 'step', friction_jump: 'friction jump', wedge: 'wedge', wedge_and_jump: 'wedge and jump'};
-
 /// Describes the picture in one sentence.
 function sentence(solution) {
   const ends = solution.contact.map(zone => `from ${shown(zone.left.x, 3)} to ${shown(zone.right.x, 3)}`).join(' and ');
@@ -242,7 +240,7 @@ function showNumbers(solution) {
   byId('numbers').tBodies[0].innerHTML = rows.map(([name, value]) => `<tr><th scope="row">${name}</th><td>${value}</td></tr>`).join('');
   const digits = sheet.width < 500 ? 4 : 6;
   byId('points').tBodies[0].innerHTML = solution.singular_points.map(at =>
-    `<tr><td class="number">${shown(at.x, digits)}</td><td>${kinds[at.kind]}</td><td class="number">${at.exponent === null ? 'log' : shown(at.exponent, digits)}</td>` +
+    `<tr><td class="number">${shown(at.x, digits)}</td><td>${at.words}</td><td class="number">${at.exponent === null ? 'log' : shown(at.exponent, digits)}</td>` +
     `<td class="exact">${exactly(at.symbolic)}</td></tr>`).join('');
   byId('scale').textContent = shown(resultants.mean_pressure, 3);
 }

@@ -85,8 +85,8 @@ TEST_CASE("anchors: steps, wedges, friction to the left and to the right, and wh
   const auto& anchors = reduced.anchors();
   CHECK(anchors[2].step_sign == 1);
   CHECK(anchors[2].step * 2 * to_real<double>(p.elasticity().compliance()) == doctest::Approx(1).epsilon(1e-15));
-  CHECK(!anchors[2].wedge);
-  CHECK(anchors[3].wedge);
+  CHECK(!anchors[2].exact.wedge);
+  CHECK(anchors[3].exact.wedge);
   CHECK(!anchors[1].is_break);
   for (std::size_t k = 0; k < 4; ++k) CHECK(reduced.friction_of(k) == (k < 1 ? 0 : k < 3 ? 1 : 2));
   // Sliding towards -x changes the sign of s.

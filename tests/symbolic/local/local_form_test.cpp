@@ -77,7 +77,7 @@ TEST_CASE("every derived form satisfies the local equation to all three orders, 
 TEST_CASE("theorem 2: forced constants, forced logarithms, amplitude ratios") {
   const LocalForm jump = derive_local_form(symbolic_places()[3]);
   const LocalFrame& frame = jump.frame;
-  CHECK(jump.kind == LocalKind::wedge_and_jump);
+  CHECK(jump.kind == SingularKind::wedge_and_jump);
   CHECK(jump.exponent == local_exponent(0, 1, -1));
   CHECK(frame.field().are_equal(*jump.ratio, frame.friction(Side::left).cos / frame.friction(Side::right).cos).holds);
   for (int n = 0; n < 3; ++n) {
@@ -90,7 +90,7 @@ TEST_CASE("theorem 2: forced constants, forced logarithms, amplitude ratios") {
 
   const LocalForm wedge = derive_local_form(symbolic_places()[1]);
   const LocalFrame& one = wedge.frame;
-  CHECK(wedge.kind == LocalKind::wedge);
+  CHECK(wedge.kind == SingularKind::wedge);
   CHECK(!wedge.exponent);
   const ex d = wedge.place.right.slopes[0] - wedge.place.left.slopes[0];
   const LocalFormTerm& logarithm = term(wedge, false, 0, 1, true);
