@@ -71,11 +71,11 @@ TEST_CASE("no rate from too few levels, or from an error that is none") {
 }
 
 TEST_CASE("the rate at each kind of singular point") {
-  using Place = numeric::VariationalSolution::Place;
+  using SingularPlace = numeric::VariationalSolution::SingularPlace;
   const ContactProblem problem = reduced({0.05_r, 0.6_r}, {0}, one_piece(-1, 1, {}), 1);
   const Rational s_left = problem.coupled_friction(0), s_right = problem.coupled_friction(1);
   const auto end = [&](SingularKind kind, const Exponent& exponent, Side contact, std::size_t piece) {
-    return local_rate(problem, Place{0, kind, exponent, {0}, contact, piece, piece, -1, true});
+    return local_rate(problem, SingularPlace{0, kind, exponent, {0}, contact, piece, piece, -1, true});
   };
   CHECK(end(SingularKind::edge, edge_exponent(End::left, s_left), Side::right, 0) == doctest::Approx(1));
   CHECK(end(SingularKind::step, edge_exponent(End::right, s_right), Side::left, 1) == doctest::Approx(1));
@@ -83,9 +83,10 @@ TEST_CASE("the rate at each kind of singular point") {
   CHECK(end(SingularKind::free, free_exponent(End::right, s_right), Side::left, 1) == doctest::Approx(2));
   // With the friction of the other side the powers would not add up.
   CHECK(end(SingularKind::free, free_exponent(End::right, s_right), Side::left, 0) != doctest::Approx(2));
-  const Place jump{0, SingularKind::friction_jump, jump_exponent(s_left, s_right), {0}, Side::left, 0, 1, -1, true};
+  const SingularPlace jump{0,   SingularKind::friction_jump, jump_exponent(s_left, s_right), {0}, Side::left, 0, 1, -1,
+                           true};
   CHECK(local_rate(problem, jump) == doctest::Approx(1));
-  const Place wedge{0, SingularKind::wedge, std::nullopt, {0}, Side::left, 0, 0, 0, true};
+  const SingularPlace wedge{0, SingularKind::wedge, std::nullopt, {0}, Side::left, 0, 0, 0, true};
   CHECK(local_rate(problem, wedge) == 3);
-  CHECK(expected_rate(problem, std::vector<Place>{wedge, jump}) == doctest::Approx(1));
+  CHECK(expected_rate(problem, std::vector<SingularPlace>{wedge, jump}) == doctest::Approx(1));
 }
