@@ -8,7 +8,7 @@ namespace {
 template <Real R>
 Power<R> traction_power(const TractionRepresentation<R>& form, std::size_t j) {
   const Power<R>& p = form.power(j);
-  if (form.changes_polynomial(j) && p.value > 0 && form.set().anchor_at(j)->wedge != 0) return {};
+  if (form.changes_polynomial(j) && p.value > 0 && form.set().anchor_at(j)->exact.wedge != 0) return {};
   return p;
 }
 

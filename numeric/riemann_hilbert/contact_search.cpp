@@ -177,7 +177,7 @@ class Search {
     Set set = state_.set;
     const std::size_t notch = set.neighbour(j);
     const auto* anchor = set.anchor_at(notch);
-    if (!anchor || !(anchor->wedge < 0) || set.point(notch).is_end()) return false;
+    if (!anchor || !(anchor->exact.wedge < 0) || set.point(notch).is_end()) return false;
     if (!opened_at_ends_.insert(*set.point(notch).anchor).second) return false;
     const R half = std::min(set.length(notch - 1), set.length(notch)) / 2;
     set.open({notch - 1, set.length(notch - 1) - half, half}, {notch, half, set.length(notch) - half});

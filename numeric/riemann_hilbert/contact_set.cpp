@@ -207,7 +207,7 @@ bool ContactSet<R>::is_over_notch(std::size_t k) const {
   if (contact_[k]) return false;
   const std::size_t middle = points_[k].is_end() ? k + 1 : k;
   if (middle == 0 || middle == segments() || contact_[middle - 1] || contact_[middle]) return false;
-  return points_[middle].anchor && anchor_at(middle)->wedge < 0 && !is_at_step(middle) &&
+  return points_[middle].anchor && anchor_at(middle)->exact.wedge < 0 && !is_at_step(middle) &&
          points_[middle - 1].is_movable() && points_[middle + 1].is_movable() &&
          lengths_[middle - 1] + lengths_[middle] < R(0.05) * span_length();
 }

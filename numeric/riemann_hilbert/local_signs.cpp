@@ -9,7 +9,7 @@ namespace {
 /// Returns D, from the exact difference.
 template <Real R>
 R slope_jump(const TractionRepresentation<R>& form, std::size_t point) {
-  return to_real<R>(form.set().anchor_at(point)->wedge);
+  return to_real<R>(form.set().anchor_at(point)->exact.wedge);
 }
 
 template <Real R>
@@ -43,7 +43,7 @@ std::optional<LeadingTerm<R>> leading_term(const TractionRepresentation<R>& form
   if (set.point(point).is_end()) return power_term(form, point, end_error);
   if (point == 0 || point == set.segments() || !set.in_contact(point)) return std::nullopt;
   const int beta = form.exponent(point).sign();
-  const int wedge = sign(set.anchor_at(point)->wedge);
+  const int wedge = sign(set.anchor_at(point)->exact.wedge);
   if (wedge == 0 || beta < 0) return power_term(form, point, end_error);
   const R& s = form.problem().s(form.friction_at(point));
   const bool jumps = beta != 0;
