@@ -96,7 +96,7 @@ TEST_CASE("references: paragraphs with a key, tables left out") {
 
 TEST_CASE("verify --report writes the page beside its own output, from one run") {
   const TemporaryFolder folder;
-  // PATH is empty, so that gnuplot is not found and there are no figures. report_browser_test.cpp tests a page with them.
+  // An empty PATH has no gnuplot, so there are no figures. report_browser_test.cpp tests a page with figures.
   const Arguments verify = words("verify --quick --claim gamma-* --report a/b -o out.txt");
   const Finished finished = run_program_by({"env", "PATH="}, verify, folder.path());
   CHECK(finished.code == 0);
