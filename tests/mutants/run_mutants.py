@@ -131,7 +131,7 @@ def parsed(arguments):
     parser.add_argument("--write", metavar="CSV", type=Path,
                         help="write the table; of mutants not run now, the rows that it has")
     parser.add_argument("--time-limit", metavar="S", type=int, default=60, help="seconds a killer may take at least before it counts as hanging (60)")
-    parser.add_argument("-j", dest="jobs", metavar="N", type=int, default=1, help="so many at a time (1)")
+    parser.add_argument("-j", dest="jobs", metavar="N", type=int, default=1, help="mutants run at a time (1)")
     return parser.parse_args(arguments)
 
 
