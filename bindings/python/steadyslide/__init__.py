@@ -34,7 +34,7 @@ Places = Exact | Sequence[Any] | np.ndarray
 Values = Any  # a Number for a number, an array for an array
 
 InvalidData.__module__ = __name__
-InvalidData.__doc__ = "Data that break a rule: what is wrong; the rule; the value."
+InvalidData.__doc__ = "Data that break a rule. The message says what is wrong, the rule, and the value."
 
 
 class Number(float):
@@ -199,12 +199,16 @@ class Problem:
 
     The keywords are the data of a problem file:
 
-    load: P > 0. load_at: the place of the load, for an indenter that may tilt.
-    poisson, young and plane ("strain" or "stress"): the half-plane. Or gamma instead of all three.
-    sliding: "+x" or "-x". friction: one value more than there are jumps. jumps: the places at which the friction jumps.
-    profile ("x^2/2"), pieces ([(to, profile), ...]) or samples: the indenter. samples is the file
-    of a measured profile, or {"file": ..., "x_unit": ..., ...}.
-    support: [left, right]. elastic: {"poisson": ..., "young": ...}, the material of the indenter.
+    load: P > 0.
+    load_at: the place of the load, for an indenter that may tilt.
+    poisson, young, plane: the material, and "strain" or "stress"; or gamma instead of all three.
+    sliding: "+x" or "-x".
+    friction: one value more than there are jumps.
+    jumps: the places at which the friction jumps.
+    profile, pieces or samples: the indenter, "x^2/2", or [(to, profile), ...], or the file of a measured profile, which may
+    also be a table {"file": ..., "x_unit": ..., ...}.
+    support: [left, right].
+    elastic: {"poisson": ..., "young": ...}, the material of the indenter.
 
     Raises InvalidData.
     """
