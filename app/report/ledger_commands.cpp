@@ -74,7 +74,7 @@ std::string report_file(const std::string& folder) {
 }
 
 /// Returns the names of the figures that support a statement. The page has a sketch of its own and must be small enough
-/// for an e-mail; the other figures are in the gallery of the documentation.
+/// to be sent by mail; the other figures are in the gallery of the documentation.
 std::vector<std::string> shown_figures() {
   std::vector<std::string> shown;
   for (const FigureMaker& figure : figures()) {
