@@ -260,7 +260,7 @@ void TractionRepresentation::add_cauchy(std::size_t i, std::size_t k, const Surf
 
 TractionRepresentation::Near TractionRepresentation::near(std::size_t i, const SurfacePoint& at) const {
   if (at.right <= i) return {contact_->distance(at.right, i) + at.from_right, true};
-  if (i + 1 > at.left) throw Unproved("B is asked for inside a piece with another polynomial");
+  if (i + 1 > at.left) throw Unproved("B is needed inside a piece of contact with another polynomial");
   return {contact_->distance(i + 1, at.left) + at.from_left, false};
 }
 

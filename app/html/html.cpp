@@ -23,7 +23,7 @@ std::string escaped(std::string_view text) {
     if (character.length == 0) {
       result += "\xef\xbf\xbd";
     } else if (length > 1) {
-      // C1 controls and the two noncharacters that XML refuses.
+      // Drops C1 control characters, and the two noncharacters that XML forbids.
       const bool allowed = character.code >= 0xa0 && character.code != 0xfffe && character.code != 0xffff;
       if (allowed) result += text.substr(0, length);
     } else if (const auto name = names.find(c); name != names.end()) {
@@ -103,7 +103,7 @@ void align_numbers(std::vector<std::string>& cells) {
   static const std::regex number(R"(-?\d+(\.\d+)?)");
   const auto decimals = [](const std::string& cell) {
     const std::size_t point = cell.find('.');
-    return point == std::string::npos ? 0 : cell.size() - point;  // with the point
+    return point == std::string::npos ? 0 : cell.size() - point;  // counts the point, too
   };
   std::size_t most = 0;
   for (const std::string& cell : cells) {

@@ -10,7 +10,7 @@
 namespace steadyslide::app {
 namespace {
 
-/// As number_item() has it.
+/// Returns a number as HTML, with the same shortening and the same power of ten as number_item().
 std::string number_text(std::string_view digits) {
   const std::size_t e = digits.find('e');
   if (e == std::string_view::npos) {
@@ -26,8 +26,9 @@ std::string number_text(std::string_view digits) {
                                                 : fmt::format("{}×{}", mantissa, power);
 }
 
-/// A formula in one line of HTML, letters slanted, a tenth of its MathML: for words of which there are thousands. Nothing
-/// where it takes more than scripts.
+/// Returns a formula in one line of HTML with slanted letters. This has a tenth of the size of its MathML, for a page
+/// with thousands of formulas. Returns nothing if the text is no formula, or needs more than subscripts and
+/// superscripts.
 std::optional<std::string> in_line(std::string_view formula) {
   const auto tokens = math_tokens(formula);
   if (!tokens || !parse_math(formula)) return std::nullopt;

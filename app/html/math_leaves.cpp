@@ -10,7 +10,7 @@ namespace {
 
 using Shape = MathItem::Shape;
 
-/// One letter is set in italics by every browser, several are not.
+/// Returns an <mi>. Browsers set an identifier of one letter in italics, and an identifier of several letters upright.
 std::string identifier(std::string_view glyph, bool upright = false) {
   return fmt::format("<mi{}>{}</mi>", upright ? R"( mathvariant="normal")" : "", glyph);
 }
@@ -20,8 +20,9 @@ bool is_letter_name(std::string_view name) {
   return symbol ? symbol->role == MathRole::operand && !symbol->upright : name.size() == 1;
 }
 
-/// First and last of a row, brackets are prefix and postfix and have no spaces. Around letters they have their own size:
-/// stretching would only move them apart, and no identifier is stretched.
+/// Returns a bracket. As the first and last items of a row, brackets are prefix and postfix operators, which have no
+/// spaces. Brackets around a row that is not tall are identifiers, because those are not stretched: stretching would
+/// only move the brackets apart.
 std::string bracket(std::string_view sign, bool tall) {
   const std::string_view glyph = sign == "<<" ? "⟨" : sign == ">>" ? "⟩" : sign;
   return fmt::format("<{0}>{1}</{0}>", tall ? "mo" : "mi", glyph);
@@ -101,11 +102,11 @@ MathItem scripted(MathItem base, const Scripts& scripts) {
   const std::string mark = marks.at(std::min(scripts.primes, marks.size() - 1));
   const std::string sub = fmt::format("{}", fmt::join(scripts.sub, ""));
   const std::string sup = fmt::format("{}", fmt::join(scripts.sup, ""));
-  // A prime of a text font stands high enough by itself; as a superscript it would float (report.css, .prime).
+  // The prime of a text font is high enough. As a superscript it would be too high (report.css, .prime).
   if (!mark.empty())
     base.xml = fmt::format(R"(<mrow>{}<mo class="prime" lspace="0" rspace="0">{}</mo></mrow>)", base.xml, mark);
   if (sub.empty() && sup.empty()) {
-    // a prime alone
+    // Only a prime: nothing more to add.
   } else if (sub.empty()) {
     base.xml = math_element("msup", {base.xml, sup});
   } else if (sup.empty()) {
@@ -119,7 +120,7 @@ MathItem scripted(MathItem base, const Scripts& scripts) {
 }
 
 MathItem accented(MathItem base, std::string_view accent) {
-  // Set as an accent, a bar touches its letter in common fonts.
+  // In common fonts a bar that is marked as an accent touches its letter.
   const bool bar = accent == math_accent("bar");
   base.xml = fmt::format(R"(<mover accent="{}"><mrow>{}</mrow><mo stretchy="{}">{}</mo></mover>)", !bar, base.xml, bar,
                          accent);

@@ -1,12 +1,12 @@
-// A formula in the ASCII notation of docs/theory.md, read.
+// The parser of formulas in the ASCII notation of docs/theory.md.
 //
 //   row     = { operand | sign | a "/" b }
 //   operand = (number | name | "(" row ")" | "[" row "[" | "|" row "|" | "<<" row ">>" | "sqrt" operand) scripts
 //   scripts = { "_" script | "^" script | "'" }
 //   script  = "{" row "}" | [sign] (number | name | "(" row ")") | sign
 //
-// A fraction is stacked where nothing around it is small already, and has all the factors before the solidus above the
-// bar: a b/c is the same number either way.
+// A fraction is stacked unless it stands in small text. All factors before the solidus go above the bar: a b/c is the
+// same number either way.
 
 #include <fmt/format.h>
 
@@ -24,10 +24,10 @@ constexpr int deepest = 40;
 
 struct NoFormula {};
 
-/// What a row stands in.
+/// The bracket around a row.
 struct Surroundings {
   std::string_view open;  ///< the bracket; empty: none
-  bool list = false;      ///< a comma was seen
+  bool list = false;      ///< true if the row has had a comma
 };
 
 class Parser {
@@ -61,13 +61,13 @@ class Parser {
     return (at("}") && around.open == "{") || (at(">>") && around.open == "<<");
   }
 
-  /// in, for: names that begin something else.
+  /// True if the name is a relation or a word, such as `in` and `for`: an operand before it ends.
   static bool separates(const MathToken& name) {
     const auto symbol = math_name(name.text);
     return symbol && (symbol->role == MathRole::relation || symbol->role == MathRole::word);
   }
 
-  /// Nothing more follows that the sign could stand before: c+, Y- = .
+  /// True if no operand follows that the sign could belong to: c+, Y- = .
   bool is_postfix() const {
     const MathToken& next = token(1);
     if (next.kind == MathToken::Kind::end) return true;
@@ -79,7 +79,8 @@ class Parser {
            (sign && sign->role != MathRole::binary);
   }
 
-  /// Behind the solidus of 1/2 where no factor stands before or after: as clear in one line, and not taller than it.
+  /// True behind the solidus of a fraction of two numbers, such as 1/2, without a factor before or after it. In one
+  /// line it is as clear as stacked, and does not make the line taller.
   bool is_plain_number(const MathRow& row) const {
     const bool numbers = after_operand(row) && row.back().shape == Shape::number &&
                          token().kind == MathToken::Kind::number && token(1).kind != MathToken::Kind::number;

@@ -10,14 +10,14 @@ namespace {
 
 using Shape = MathItem::Shape;
 
-constexpr std::size_t short_formula = 14;  // such a one stays on a line
+constexpr std::size_t short_formula = 14;  // a formula of at most this width is not broken
 constexpr std::size_t short_part = 9;
 
 bool is_operand(const MathItem& item) {
   return item.role == MathRole::operand || item.role == MathRole::function || item.role == MathRole::big;
 }
 
-/// Between neighbours that no sign separates, in em.
+/// Returns the space between two neighbours that no sign separates, in em.
 double space_between(const MathItem& left, const MathItem& right) {
   if (left.shape == Shape::prefix) return 0;
   if (left.role == MathRole::word || right.role == MathRole::word) return 0.3;
@@ -50,7 +50,7 @@ bool may_break_before(const MathRow& row, std::size_t at, std::size_t width) {
 constexpr std::size_t widest_numerator = 28;
 constexpr std::size_t widest_denominator = 36;
 
-/// Where the factors before the end of the row begin.
+/// Returns the first of the factors that end the row.
 MathRow::iterator factors(MathRow& row) {
   auto begin = row.end();
   while (begin != row.begin()) {
@@ -62,7 +62,8 @@ MathRow::iterator factors(MathRow& row) {
   return begin;
 }
 
-/// sin x/2 does not say whether x or sin x is halved: it stays as it is written.
+/// True if a function's argument has no brackets. sin x/2 does not say whether x or sin x is halved, so that such a
+/// quotient is not stacked.
 bool has_bare_argument(MathRow::const_iterator begin, MathRow::const_iterator end) {
   for (auto item = begin; item != end; ++item) {
     const auto next = std::next(item);
@@ -83,7 +84,7 @@ std::string row_xml(const MathRow& row) {
   for (std::size_t k = 0; k < row.size(); ++k) {
     if (k > 0) xml += space_xml(row[k - 1], row[k]);
     const std::string& item = row[k].xml;
-    // Between others a sign has these spaces by itself.
+    // A sign between two items has these spaces by default.
     const bool inside = k > 0 && k + 1 < row.size();
     const bool usual = item.starts_with(R"(<mo lspace=".22em" r)") || item.starts_with(R"(<mo lspace=".28em" r)");
     xml += inside && usual ? "<mo" + item.substr(item.find('>')) : item;
@@ -100,7 +101,7 @@ std::size_t row_width(const MathRow& row) {
 std::string math_element(std::string_view tag, std::initializer_list<std::string> children) {
   std::string xml;
   for (const std::string& child : children) {
-    // What is one element already needs no row.
+    // A single element needs no <mrow>.
     const std::string closing = "</" + child.substr(1, child.find_first_of(" >") - 1) + ">";
     const bool single = child.ends_with(closing) && child.find(closing) + closing.size() == child.size();
     xml += single ? child : fmt::format("<mrow>{}</mrow>", child);
@@ -113,7 +114,7 @@ std::vector<MathRow> breakable(const MathRow& row) {
   std::vector<MathRow> parts(1);
   for (std::size_t k = 0; k < row.size(); ++k) {
     if (k > 0 && may_break_before(row, k, row_width(parts.back()))) {
-      // A space at the end of a line is not seen, one at its beginning is.
+      // The space goes to the end of the line, where it is invisible. At the beginning of a line it would be visible.
       parts.back().back().xml += space_xml(row[k - 1], row[k]);
       parts.emplace_back();
     }

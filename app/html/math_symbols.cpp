@@ -9,14 +9,14 @@ namespace {
 
 using Symbols = std::map<std::string_view, MathSymbol>;
 
-/// Takes a word off the front of words that are separated by spaces.
+/// Removes the first word from words that are separated by spaces, and returns it.
 std::string_view next_word(std::string_view& words) {
   const std::string_view word = words.substr(0, words.find(' '));
   words.remove_prefix(std::min(word.size() + 1, words.size()));
   return word;
 }
 
-/// "alpha α beta β": each name is followed by its glyph.
+/// Adds names, each followed by its glyph: "alpha α beta β".
 void add(Symbols& symbols, MathRole role, std::string_view names_and_glyphs, bool upright = false) {
   while (!names_and_glyphs.empty()) {
     const std::string_view name = next_word(names_and_glyphs);
@@ -24,7 +24,7 @@ void add(Symbols& symbols, MathRole role, std::string_view names_and_glyphs, boo
   }
 }
 
-/// Names that are set as they are written.
+/// Adds names that are set as they are written.
 void add_words(Symbols& symbols, MathRole role, std::string_view words) {
   while (!words.empty()) {
     const std::string_view word = next_word(words);
@@ -62,8 +62,8 @@ std::optional<MathSymbol> found(const Symbols& symbols, std::string_view name) {
   return symbol == symbols.end() ? std::nullopt : std::optional(symbol->second);
 }
 
-/// Blanks, and behind them a number (12, 0.5, 1.9490..., 3e-52), a name, a sign or the end. Of signs that begin alike the
-/// longer ones come first; << and >> are duality brackets.
+/// Matches blanks, then a number (12, 0.5, 1.9490..., 3e-52), a name, a sign or the end of the text. If two signs begin
+/// alike, the longer one comes first. << and >> are duality brackets.
 const std::regex& token() {
   static const std::regex all(
       R"(([ \n\t]*)(?:(\d+(?:\.\d+)?(?:e[-+]?\d+(?![A-Za-z\d]))?)|([A-Za-z]+)|)"
@@ -101,7 +101,7 @@ std::optional<std::vector<MathToken>> math_tokens(std::string_view formula) {
     std::string text(found[1].second, found[0].second);
     if (in_script && text == "->") text = "-";  // <<1, t_->>
     at = found[1].second + static_cast<std::ptrdiff_t>(text.size());
-    // punch-any-jumps, the name of a thing, is no difference.
+    // punch-any-jumps is one name, not a difference.
     const auto is_word = [](const MathToken& t) { return t.kind == name && t.text.size() > 2 && !math_name(t.text); };
     const std::size_t n = tokens.size();
     const MathToken read{kind, std::move(text), found.length(1) > 0};

@@ -1,5 +1,5 @@
 #pragma once
-// The words of a formula in ASCII, and what its names and signs look like (docs/theory.md, "Formulas in text").
+// The tokens of a formula in ASCII, and the glyphs of its names and signs (docs/theory.md, "Formulas in text").
 
 #include <optional>
 #include <string>
@@ -16,11 +16,14 @@ struct MathSymbol {
   bool upright = false;
 };
 
-/// Names that are more than their letters: alpha, sin, int, in, oo.
+/// Returns the symbol of a name that is more than its letters: alpha, sin, int, in, oo. Returns nothing for other
+/// names.
 std::optional<MathSymbol> math_name(std::string_view name);
-/// Signs that stand between or before operands; none for brackets, scripts and the solidus.
+/// Returns the symbol of a sign that stands between or before operands. Returns nothing for brackets, scripts and the
+/// solidus.
 std::optional<MathSymbol> math_sign(std::string_view sign);
-/// `bar`, `tilde`, `hat`: what is set above a name that they follow with an underscore.
+/// Returns the accent of `bar`, `tilde` or `hat`. They follow a name with an underscore, and their accent is set above
+/// it: x_bar. Returns nothing for other names.
 std::optional<std::string_view> math_accent(std::string_view name);
 
 struct MathToken {
@@ -33,7 +36,8 @@ struct MathToken {
   bool is(std::string_view sign) const { return kind == Kind::sign && text == sign; }
 };
 
-/// The last token is an end. Nothing for a formula with a character that the notation does not have.
+/// Splits a formula into tokens; the last one is of the kind `end`. Returns nothing if a character is not in the
+/// notation.
 std::optional<std::vector<MathToken>> math_tokens(std::string_view formula);
 
 }  // namespace steadyslide::app

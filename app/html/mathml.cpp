@@ -17,8 +17,8 @@ std::optional<std::string> mathml(std::string_view formula) {
 
 namespace {
 
-/// How many characters at the end of a text stick to what follows, and at the beginning to what precedes: a line may
-/// not break between a formula and its comma.
+/// Return the number of characters beside a formula that must stay with it: opening() at the end of the text before it,
+/// closing() at the beginning of the text behind it. A line may not break between a formula and its comma.
 std::size_t opening(std::string_view text) {
   const std::size_t last = text.find_last_not_of("([");
   return text.size() - (last == std::string_view::npos ? 0 : last + 1);
@@ -32,7 +32,7 @@ std::string tied(const std::string& before, std::string maths, const std::string
   }
   if (before.empty()) return maths;
   const std::size_t first = maths.find("</math>") + 7;
-  // One formula between both: the inner span ends behind the first one.
+  // There is one <math> element alone: `before` goes around the span that it has already.
   if (maths.find("<span") < first) return "<span class=\"tie\">" + before + maths + "</span>";
   return "<span class=\"tie\">" + before + maths.substr(0, first) + "</span>" + maths.substr(first);
 }

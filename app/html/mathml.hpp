@@ -1,5 +1,5 @@
 #pragma once
-// Text with formulas between backticks, for a page: formulas as presentation MathML, all else as it is.
+// Text with formulas between backticks as HTML: formulas become presentation MathML, other text stays as it is.
 
 #include <optional>
 #include <string>
@@ -7,15 +7,16 @@
 
 namespace steadyslide::app {
 
-/// A formula as one or more <math> elements; a line may break between them. Nothing for what is no formula.
+/// Returns a formula as one or more <math> elements; a line may break between them. Returns nothing if the text is no
+/// formula.
 std::optional<std::string> mathml(std::string_view formula);
 
-/// HTML: formulas typeset, what looks like none of them as <code>, a lone backtick as itself. What of one formula may stand
-/// in several lines is one <span class="f">.
+/// Returns a text as HTML. Formulas between backticks are typeset; other text between backticks becomes <code>; a lone
+/// backtick stays. A formula that may break over several lines is one <span class="f">.
 std::string prose(std::string_view text);
 
-/// The same with formulas in a line of HTML where that does, else as MathML: a tenth of the size, for the words of which a
-/// page has thousands.
+/// Returns a text as HTML like prose(), but sets formulas in a line of plain HTML if possible, else as MathML. A line
+/// has a tenth of the size, which matters for a page with thousands of formulas.
 std::string lined(std::string_view text);
 
 }  // namespace steadyslide::app

@@ -1,4 +1,4 @@
-// With what the program was compiled.
+// The compiler and the libraries of this build, as text.
 
 #include <arb.h>
 #include <cln/version.h>

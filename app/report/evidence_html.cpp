@@ -1,4 +1,4 @@
-// What an examination brought back, piece by piece, as HTML.
+// The evidence on a claim as HTML, one block for each kind.
 
 #include <fmt/format.h>
 
@@ -26,7 +26,7 @@ std::string heading(std::string_view text) { return block("h5", text); }
 
 std::string paragraph(std::string_view text) { return text.empty() ? "" : block("p", lined(text)); }
 
-/// 3.1e-52 with a power of ten; what is no number as it is.
+/// Returns a number such as 3.1e-52 with a power of ten, as MathML. Other text is only escaped.
 std::string number(const std::string& text) {
   const bool is_number = text.find_first_not_of("0123456789.e+-") == std::string::npos;
   return (is_number ? mathml(text) : std::nullopt).value_or(escaped(text));
@@ -39,7 +39,7 @@ std::string list(const std::vector<std::string>& items, const std::string& title
   return title + block("ul", "\n" + html);
 }
 
-/// Said once, however many pieces of evidence say it.
+/// Returns the details of all pieces. A detail that several pieces share is written once.
 template <class Kind>
 std::string details(const std::vector<const Kind*>& pieces) {
   std::vector<std::string> seen;
@@ -51,7 +51,7 @@ std::string details(const std::vector<const Kind*>& pieces) {
   return html;
 }
 
-/// As nested lists, from what is concluded down to what it rests on.
+/// Returns the proof as nested lists: a conclusion, and in the list below it the facts that it rests on.
 std::string proof_html(const checks::Report& report) {
   const checks::CheckedProof* proof = report.proof();
   if (!proof) return "";
@@ -163,7 +163,7 @@ std::string evidence_html(const checks::Report& report, std::span<const checks::
 
 std::string controls_html(const checks::Report& report) {
   if (report.controls.empty()) return "";
-  // A step that is left out leaves a gap: its name says it all.
+  // A proof without one of its steps has a gap. The name of the step suffices.
   constexpr std::string_view left_out = "without the step ";
   std::string items, steps;
   for (const checks::ControlReport& control : report.controls) {
@@ -172,7 +172,8 @@ std::string controls_html(const checks::Report& report) {
       steps += (steps.empty() ? "" : ", ") + code(name.substr(left_out.size()));
       continue;
     }
-    // A wrong variant that is refuted says by its name what is wrong; of one that is not, all is said.
+    // A refuted variant is shown by its name, which describes the fault. A variant that is not refuted has its details,
+    // too.
     const std::string detail = control.detail.empty() ? "" : " " + span("by", lined(control.detail));
     items += control.refuted ? block("li", lined(control.name))
                              : block("li", "not refuted: " + lined(control.name) + detail, {{"class", "survived"}});

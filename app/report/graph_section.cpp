@@ -1,4 +1,5 @@
-// What rests on what: entries on other entries, drawn, and entries on classical theorems, listed.
+// The section "What rests on what": a graph of the entries that rest on other entries, and a table of the classical
+// theorems that entries rest on.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,11 +19,11 @@ namespace checks = proofs_checks;
 
 using Names = std::set<std::string>;
 
-/// An entry that rests on others, or that others rest on.
+/// An entry that rests on other entries, or that other entries rest on.
 struct Node {
   std::string id;
   Names below;
-  std::size_t column = 0;  ///< one more than the largest of what it rests on
+  std::size_t column = 0;  ///< one more than the largest column of the entries in `below`
   double row = 0;
 };
 
@@ -37,7 +38,7 @@ std::map<std::string, Node> nodes_of(std::span<const checks::Report> reports) {
     }
   }
   for (auto& [id, node] : nodes) node.id = id;
-  // Proofs have no cycles: at most one step for each entry.
+  // Proofs have no cycles, so that the columns are final after at most one pass for each entry.
   for (std::size_t step = 0; step < nodes.size(); ++step) {
     for (auto& [id, node] : nodes) {
       for (const std::string& below : node.below) node.column = std::max(node.column, nodes[below].column + 1);
@@ -48,7 +49,7 @@ std::map<std::string, Node> nodes_of(std::span<const checks::Report> reports) {
 
 constexpr double letter = 6.1, line = 17, between = 60;
 
-/// The columns, each in the order of the rows that its entries rest on.
+/// Returns the columns of the graph. A column is sorted by the mean row of the entries below.
 std::vector<std::vector<Node*>> columns_of(std::map<std::string, Node>& nodes) {
   std::vector<std::vector<Node*>> columns;
   for (auto& [id, node] : nodes) {

@@ -1,4 +1,4 @@
-// steadyslide verify and steadyslide report: the ledger examined, and its page.
+// The commands `verify`, which examines the ledger, and `report`, which also writes its page.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -49,10 +49,10 @@ std::vector<checks::Claim> selected(const Given& given) {
   return checks::select(checks::claims_of_group(group), patterns);
 }
 
-/// On a terminal only: a line that the next one overwrites.
+/// Writes a line to stderr that the next one overwrites. Call it only if stderr is a terminal.
 void show_progress(const std::string& line) { std::fputs(("\r\x1b[K" + line).c_str(), stderr); }
 
-/// With progress on stderr where that is a terminal.
+/// Examines the claims in child processes. Shows the progress on stderr if that is a terminal.
 VerifyResult examine(const checks::Context& context, unsigned processes, const std::vector<checks::Claim>& claims) {
   VerifyResult result;
   result.context = context;
@@ -67,14 +67,14 @@ VerifyResult examine(const checks::Context& context, unsigned processes, const s
   return result;
 }
 
-/// FOLDER/report.html; the folder is made if need be.
+/// Makes the folder if it does not exist, and returns FOLDER/report.html.
 std::string report_file(const std::string& folder) {
   make_folder(folder);
   return (std::filesystem::path(folder) / "report.html").string();
 }
 
-/// Those that bear on a statement. The page has a sketch of its own, and is to be small enough for a letter; the others
-/// stand in the gallery of the documentation.
+/// Returns the names of the figures that support a statement. The page has a sketch of its own and must be small enough
+/// to be sent by mail; the other figures are in the gallery of the documentation.
 std::vector<std::string> shown_figures() {
   std::vector<std::string> shown;
   for (const FigureMaker& figure : figures()) {
@@ -85,7 +85,8 @@ std::vector<std::string> shown_figures() {
   return shown;
 }
 
-/// What stands on the page beside the ledger; without gnuplot it says that there are no figures.
+/// Returns the parts of the page besides the ledger. If the figures cannot be drawn, for example without gnuplot, the
+/// page gives the reason instead.
 Supplement supplement(unsigned processes) {
   Supplement parts;
   try {
@@ -127,7 +128,7 @@ ExitCode verify(const Given& given) {
   }
   if (folder && list) throw bad_command_line("--list: conflicting option", "it checks nothing to report", "--report");
   const std::vector<checks::Claim> claims = selected(given);
-  // Opened first: a run may be long, and should not end in a folder that does not exist.
+  // The output is opened before the run, which may be long: a folder that does not exist is an error at once.
   Output output(common.output);
   if (list) {
     write_claims(common.format, claims, output);

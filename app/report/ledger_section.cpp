@@ -13,12 +13,12 @@ namespace {
 
 namespace checks = proofs_checks;
 
-/// What the filter looks through: as it is typed, not as it is typeset.
+/// Returns the text that the filter searches. Formulas are as a person types them, not as they are typeset.
 std::string searched(const checks::ClaimText& claim) {
   return symbolic::without_marks(claim.id + " " + claim.source + " " + claim.statement);
 }
 
-/// The places of the paper that the claim speaks of: its own, and those of the statements that name it.
+/// Returns the places of the paper that belong to the claim: its own, and those of the paper's statements that name it.
 std::string places_of(const checks::ClaimText& claim) {
   std::string places = claim.source.substr(0, claim.source.find(':'));
   for (const checks::PaperStatement& statement : checks::paper_statements()) {
@@ -66,7 +66,7 @@ std::string entry(const checks::Report& report, std::size_t order, const VerifyR
                 {"data-text", searched(claim)}});
 }
 
-/// To filter, to sort and to open: of no use without JavaScript, and hidden without it.
+/// Returns the form that filters, sorts and opens the entries. It needs JavaScript and is hidden without it.
 std::string tools(const VerifyResult& result) {
   std::string boxes;
   for (const auto& [verdict, n] : count(result.reports)) {

@@ -1,4 +1,4 @@
-// What the page opens with: the paper, how the page was made, the problem and the main result, and the counts.
+// The beginning of the page: the paper, the problem and the main result, the counts, and how the page was made.
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ namespace checks = proofs_checks;
 
 using Counts = std::vector<std::pair<std::string_view, std::size_t>>;
 
-/// A row of tiles under what they count.
+/// Returns a row of tiles, one for each verdict, with `what` as the name of the counted things.
 std::string tiles(std::string_view what, std::string_view href, const Counts& counts) {
   std::string html = span("counted", what);
   for (const auto& [verdict, n] : counts) {

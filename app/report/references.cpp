@@ -1,4 +1,4 @@
-// docs/references.md as a list of the page, and citations as links into it.
+// The page's list of references, made of docs/references.md, and links from citations to this list.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,7 +18,7 @@ namespace {
 struct Reference {
   std::string key;
   std::string text;                                 ///< Markdown
-  std::vector<std::vector<std::string>> rows = {};  ///< of the table after it, without its head
+  std::vector<std::vector<std::string>> rows = {};  ///< the rows of the table after the text, the first two its head
 };
 
 std::vector<Reference> references(std::string_view markdown) {
@@ -42,7 +42,7 @@ std::vector<Reference> references(std::string_view markdown) {
   return found;
 }
 
-/// Emphasis and links.
+/// Returns Markdown as HTML. It knows emphasis and links alone.
 std::string inline_markdown(std::string_view text) {
   static const std::regex link(R"(\[([^\]]*)\]\(([^)]*)\))");
   static const std::regex emphasis(R"(\*([^*]*)\*)");
@@ -50,14 +50,14 @@ std::string inline_markdown(std::string_view text) {
   return std::regex_replace(linked, emphasis, "<em>$1</em>");
 }
 
-/// "[Key" where a comma or a bracket follows, for the keys of the list.
+/// Matches "[Key" if a comma or a closing bracket follows, for the keys of the list.
 std::regex citation() {
   std::vector<std::string> keys;
   for (const Reference& r : references(embedded::references_md)) keys.push_back(r.key);
   return std::regex(fmt::format(R"(\[({})(?=[,\]]))", fmt::join(keys, "|")));
 }
 
-/// What announces a table, "The places cited here:", is the line that it is folded behind.
+/// Returns a reference as HTML. Its table is folded behind the last sentence of the text, "The places cited here:".
 std::string reference_text(const Reference& reference) {
   if (reference.rows.size() < 3) return inline_markdown(reference.text);
   const std::size_t sentence = reference.text.rfind(". ") + 2;

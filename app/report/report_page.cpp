@@ -9,11 +9,11 @@
 namespace steadyslide::app {
 namespace {
 
-/// A part of the page under a heading of its own.
+/// A part of the page with its own heading.
 struct Section {
   std::string id;
   std::string title;
-  std::string html;  ///< empty: the part is left out
+  std::string html;  ///< empty: the page has no such part
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-// The verification report: one HTML page that needs nothing else, no network and no file beside it.
+// The verification report: one HTML page that needs no network and no other file.
 
 #include <string>
 #include <string_view>
@@ -12,7 +12,7 @@
 
 namespace steadyslide::app {
 
-/// A row of docs/mutants.csv: a deliberate fault in the program, and what notices it.
+/// A row of docs/mutants.csv: a deliberate fault in the program, and the check that finds it.
 struct Mutant {
   std::string id;
   std::string file;
@@ -21,23 +21,24 @@ struct Mutant {
   std::string evidence;
 };
 
-/// Lines after the first, which names the columns id,file,change,killer,evidence. Fields may be quoted, with "" for a
-/// quote and line breaks inside; a line with fewer fields leaves the rest empty.
+/// Returns the rows after the first one, which names the columns id,file,change,killer,evidence. A field may be quoted;
+/// it then may contain line breaks, and "" stands for a quotation mark. If a row has fewer fields, the others are
+/// empty.
 std::vector<Mutant> read_mutants(std::string_view csv);
 
-/// What stands on the page beside the ledger. Parts that are empty are left out.
+/// The parts of the page besides the ledger. The page leaves out empty ones.
 struct Supplement {
   std::vector<DrawnFigure> figures;
-  std::string no_figures;  ///< why there are none, a sentence
+  std::string no_figures;  ///< a sentence with the reason, if there are no figures
   std::vector<TextTable> tables;
   std::vector<Mutant> mutants;
-  std::vector<std::pair<std::string, std::string>> made = {};  ///< how the page was made: what, and its name
+  std::vector<std::pair<std::string, std::string>> made = {};  ///< for example "compiler" and its name
 };
 
-/// The date, the program, its commit, compiler and libraries.
+/// Returns the date, the program, and its commit, compiler and libraries.
 std::vector<std::pair<std::string, std::string>> made_now();
 
-/// The same page for the same arguments.
+/// Returns the page. The same arguments give the same page.
 std::string report_html(const VerifyResult& result, const Supplement& supplement);
 
 }  // namespace steadyslide::app

@@ -43,7 +43,7 @@ std::string table_html(const TextTable& table) {
   return sources.empty() ? html : html + block("ul", "\n" + sources, {{"class", "sources"}});
 }
 
-/// A path, which may go on in the next line after a part of it.
+/// Returns a path as code. A line may break behind "/" and "_".
 std::string path(std::string_view file) {
   std::string html;
   for (const char c : file) {

@@ -1,4 +1,4 @@
-// The paper's statements with their verdicts, and where its text and the mathematics disagree.
+// The paper's statements with their verdicts, and the places where its text and the mathematics disagree.
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 namespace checks = proofs_checks;
 
-/// Links to entries; a verdict beside those that have another than the statement.
+/// Returns links to entries. An entry whose verdict differs from that of the statement shows its verdict.
 std::string links_to(const std::vector<std::string_view>& ids, const VerifyResult& result,
                      std::optional<checks::Verdict> statement) {
   std::string links;

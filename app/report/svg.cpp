@@ -1,4 +1,4 @@
-// Drawings on the page: gnuplot's SVG, made small and put among others.
+// The drawings of the page: makes gnuplot's SVG smaller, and prepares it for a page with several drawings.
 
 #include <fmt/format.h>
 
@@ -16,8 +16,9 @@
 namespace steadyslide::app {
 namespace {
 
-/// The data of a path in tenths of a pixel, without the points that lie on the line through their neighbours: what is left is
-/// seen as the same curve. Data of another form than "M1.00,2.00 L3.00,4.00" stay.
+/// Returns the data of a path, rounded to tenths of a pixel, without the points that lie within a fifth of a pixel of a
+/// straight line. To the eye the curve stays the same. Data of another form than "M1.00,2.00 L3.00,4.00" stay as they
+/// are.
 std::string short_path(std::string_view data) {
   struct Corner {
     char command;
@@ -31,7 +32,8 @@ std::string short_path(std::string_view data) {
       return std::string(data);
     corners.push_back(c);
   }
-  // From each kept corner as far as all corners between lie within a fifth of a pixel of the chord.
+  // From each kept corner, the next kept corner is as far away as possible: all corners between them must lie within a
+  // fifth of a pixel of the chord.
   const auto is_straight = [&](std::size_t from, std::size_t to) {
     const double dx = corners[to].x - corners[from].x, dy = corners[to].y - corners[from].y,
                  length = std::hypot(dx, dy);
@@ -62,7 +64,7 @@ std::string without_element(const std::string& svg, const std::string& tag) {
   return without(svg, fmt::format(R"(<{0}(?:\s[^>]*)?(?:/>|>[^<]*</{0}>))", tag));
 }
 
-/// Without the marks that no curve has. From the last to the first: a mark may be made of an earlier one.
+/// Removes the marks that no curve uses, from the last one to the first: a mark may use an earlier one.
 std::string without_idle_marks(std::string svg) {
   static const std::regex definition(R"(<(?:circle|path|rect|use)\b[^>]*\bid='([^']*)'[^>]*/>\s*)");
   const std::string head = svg.substr(0, svg.find("</defs>"));
@@ -95,7 +97,7 @@ std::string slim_svg(std::string svg) {
         R"( font-family="Helvetica, Arial, 'Liberation Sans', sans-serif")", R"( xml:space="preserve")"})
     boost::erase_all(svg, idle);
   svg = std::regex_replace(svg, std::regex(R"(<tspan\s*>([^<]*)</tspan>)"), "$1");
-  // Groups with nothing in them, until none becomes empty by it.
+  // Removes empty groups. This may leave other groups empty, so it is repeated until nothing changes.
   for (std::size_t before = 0; before != svg.size();) {
     before = svg.size();
     svg = without(svg, R"(<g(?:\s(?!id=)[^>\s]*)*></g>)");

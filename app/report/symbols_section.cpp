@@ -1,4 +1,5 @@
-// The section "Notation" of docs/theory.md on the page: each symbol with its meaning, where a formula's symbols lead.
+// The page's table of symbols with their meanings, made of the section "Notation" of docs/theory.md. The symbols of a
+// formula are linked to it (report.js).
 
 #include <fmt/format.h>
 
@@ -10,7 +11,7 @@
 namespace steadyslide::app {
 
 std::string symbols_html(std::string_view markdown) {
-  // symbol, meaning, type in the code, place in the paper, unit
+  // A row has the cells symbol, meaning, type in the code, place in the paper, unit.
   HtmlRows rows;
   for (const auto part : std::views::split(markdown, '\n')) {
     const std::string_view line(part.begin(), part.end());

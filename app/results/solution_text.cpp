@@ -133,7 +133,7 @@ LimitText infinite_limits(const LimitText& limits, const LimitText& traction) {
 }
 
 LimitText stress_intensity_text(SingularKind kind, const NumberText& left, const NumberText& right) {
-  // Where friction jumps the stress intensities on both sides differ.
+  // At a friction jump the stress intensities on the two sides differ.
   if (local_terms(kind).friction_jumps) return {left, right, true};
   const NumberText& one = left.value.empty() ? right : left;
   return {one, one};

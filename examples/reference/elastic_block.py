@@ -1,21 +1,22 @@
 #!/usr/bin/env python3
 """Elastic blocks under the exact tractions of reference problems, with GetFEM: usage: examples/reference/elastic_block.py
 
-What the developer of a finite element code would do with these data. The block [-2, 2] x [0, 2] is cut out of the half-plane.
-Its surface carries the consistent nodal forces that `solve --loads-on` gives for the very mesh, its other three sides the
-stresses that `solve --stress-at` gives there: the solution on the block is then the half-plane's, however small the block.
-Compared, on meshes of equal squares with quadratic elements, halved and halved again, are
+A developer can test a finite element code with these data. The block [-2, 2] x [0, 2] is cut out of the half-plane. Its surface
+carries the consistent nodal forces that `solve --loads-on` gives for the same mesh. Its other three sides carry the stresses that
+`solve --stress-at` gives there. The solution on the block is then that of the half-plane, for any size of the block.
+A mesh has equal squares with quadratic elements; their side is half of that in the mesh before. The script compares
 
-  slope   of the surface under the indenter, which is the profile's, a tenth and more away from singular points
+  slope   of the surface under the indenter with that of the profile, at a distance of at least 0.1 from singular points
   stress  at the points of grid.csv
-  energy  the stress within a quarter of the strongest singular point, at the points of Gauss: root mean square
+  energy  the stress within 0.25 of the strongest singular point, at Gauss points: root mean square
 
-A singular traction goes like a power lambda of the distance, so that the displacement is in the Sobolev space of order
-2 + lambda and no more: the third error is of order 1 + lambda in h, 0.95 with the parabola's jump and 0.49 with a flat punch's
-edge. The body is smooth and the forces are exact, so that elsewhere nothing of that is felt: slope and stress are of the
-elements' own order, 2, or better. Each error is divided by the largest of what it is an error of, a slope by 1.
-Takes the program `steadyslide` from the PATH, or the one that the environment's STEADYSLIDE names; exit code 1 if the orders are
-not as expected, 77 without GetFEM."""
+A singular traction is like a power lambda of the distance. The displacement is then in the Sobolev space of order 2 + lambda
+and in no higher one. So the third error is of order 1 + lambda in h: 0.95 at the jump under the parabola, 0.49 at the edge of a
+flat punch. Away from the singular points the singularity has no effect, because the body is smooth and the forces are exact: the
+errors of slope and stress have the order of the elements, 2, or a higher one. The errors of stresses are relative to the largest
+stress; the error of the slope is absolute.
+The script runs the program `steadyslide` in the PATH, or the program in the environment variable STEADYSLIDE. The exit code is 1
+if the orders are not as expected, and 77 without GetFEM."""
 import csv
 import os
 import pathlib
@@ -47,7 +48,7 @@ def columns(lines):
 
 
 class Reference:
-    """One of the problems, and what `steadyslide solve` answers about it."""
+    """A reference problem, and the results of `steadyslide solve` for it."""
 
     def __init__(self, name):
         self.folder, self.slope = HERE / name, PROFILE_SLOPE[name]
@@ -63,7 +64,7 @@ class Reference:
         self.grid = {name: values[inside] for name, values in grid.items()}
 
     def solve(self, option, *table):
-        """A table, for a file with these columns."""
+        """Writes a file with these columns, gives it to `option`, and returns the resulting table."""
         with tempfile.NamedTemporaryFile("w", suffix=".csv") as file:
             for row in zip(*table):
                 file.write(",".join(map(repr, row)) + "\n")
@@ -72,18 +73,18 @@ class Reference:
             return columns(subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines())
 
     def stresses(self, x, z):
-        """The exact [[sxx, sxz], [sxz, szz]], z > 0 into the body."""
+        """Returns the exact stresses [[sxx, sxz], [sxz, szz]] at depths z > 0."""
         found = self.solve("--stress-at", x.tolist(), z.tolist())
         return np.array([[found["sxx"], found["sxz"]], [found["sxz"], found["szz"]]])
 
     def places(self):
-        """Under the indenter, a tenth and more from singular points, and on no mesh's nodes."""
+        """Returns places under the indenter, more than 0.1 away from singular points, and not at nodes of a mesh."""
         x = np.linspace(self.singular[0], self.singular[-1], 202)
         return np.array([place for place in x if min(abs(place - at) for at in self.singular) > 0.1])
 
 
 class Block:
-    """Solved on squares of side 1/n. The second coordinate is z, into the body."""
+    """The solution on squares of side 1/n. The second coordinate is z, into the body."""
 
     def __init__(self, reference, n):
         self.reference, self.n = reference, n
@@ -143,14 +144,16 @@ class Block:
         return self.model.interpolation(expression, np.array([x, z]), self.mesh)
 
     def slope_error(self):
-        """Of the surface's height, which is -u_z, against the profile's: root mean square, but for the rotation that forces
-        leave open."""
+        """Returns the root mean square difference between the slopes of the surface, of height -u_z, and of the profile.
+
+        Subtracts the mean difference, because forces do not determine the rotation of the block.
+        """
         x = self.reference.places()
         difference = -self.at("Grad_u(2,1)", x, np.full_like(x, 1e-12)) - self.reference.slope(x)
         return rms(difference - np.mean(difference))
 
     def stress_error(self, exact):
-        """Against a table x, z, sxx, sxz, szz: root mean square over points and components, in units of the largest."""
+        """Returns the difference from a table x, z, sxx, sxz, szz: root mean square over points and components."""
         sigma = self.at("lambda*Trace(Grad_u)*Id(2) + mu*(Grad_u + Grad_u')", exact["x"], exact["z"])
         sxx, sxz, _, szz = sigma.reshape(-1, 4).T
         wanted = [exact[name] for name in ("sxx", "sxz", "szz")]
@@ -164,8 +167,10 @@ class Block:
         return np.array([self.slope_error(), stress, energy])
 
     def gauss_points(self):
-        """Nine in each square near the strongest singular point: the mean over them is that over the body there, to the order
-        of the rule."""
+        """Returns the nine Gauss points of each square that lie near the strongest singular point.
+
+        The mean over them is the mean over the body there, to the order of the rule.
+        """
         corners = np.linspace(0, 1, self.n + 1)[:-1]
         cell = [(left + (1 + node) / (2 * self.n)) for left in corners for node in np.polynomial.legendre.leggauss(3)[0]]
         x = np.concatenate([start + np.array(cell) for start in np.arange(-WIDTH / 2, WIDTH / 2)])

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What `steadyslide solve --format json` answers fits docs/solve.schema.json, for every example and kind of answer; what does
-not fit is refused.
+"""Tests that the output of `steadyslide solve --format json` fits docs/solve.schema.json, for every example and every kind of
+answer, and that the schema refuses documents that do not fit.
 
 usage: check_schema.py PROGRAM SCHEMA EXAMPLES
 """
@@ -31,7 +31,7 @@ def answer(problem, *options):
 
 
 def leaf_errors(error):
-    """What is wrong in the alternatives that came furthest."""
+    """Returns the errors of the alternative that failed at the deepest place."""
     if not error.context:
         return [f"{error.json_path}: {error.message[:200]}"]
     deepest = max(error.context, key=lambda e: len(e.absolute_path))

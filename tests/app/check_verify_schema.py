@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What `steadyslide verify --format json` answers fits docs/verify.schema.json, and what does not fit is refused; its HTML says what
-the text beside it says, with every formula typeset.
+"""Tests that the output of `steadyslide verify --format json` fits docs/verify.schema.json, and that the schema refuses documents
+that do not fit. The HTML of each text must have the words of the text, with every formula typeset.
 
 usage: check_verify_schema.py PROGRAM SCHEMA
 """
@@ -29,7 +29,7 @@ def answer(*options):
 
 
 class Said(HTMLParser):
-    """The words of a text, without its formulas."""
+    """The words of an HTML text without its formulas, and the numbers of formulas and of <code> elements."""
 
     def __init__(self, text):
         super().__init__()
@@ -49,7 +49,7 @@ class Said(HTMLParser):
 
 
 def faults(document):
-    """Of a document and all in it: texts whose HTML says something else."""
+    """Returns the texts, in the whole document, whose HTML has other words."""
     if isinstance(document, list):
         return [fault for one in document for fault in faults(one)]
     if not isinstance(document, dict):
@@ -57,7 +57,7 @@ def faults(document):
     found = [fault for key, one in document.items() if key != "html" for fault in faults(one)]
     for key, text in document.get("html", {}).items():
         if key == "says":
-            continue  # formulas of this text stand in the line, as words do
+            continue  # the formulas of this text are plain HTML, not <math>
         said, plain = Said(text), re.sub("`[^`]*`", "", document[key])
         if said.words != plain or bool(said.formulas) != ("`" in document[key]) or said.code:
             found.append(f"{key}: {document[key][:80]}: {said.words[:80]}")

@@ -1,13 +1,19 @@
 #!/usr/bin/env python3
-"""Growth of whole solves: user times, and exponents fitted over the upper octaves.
+"""Measures user times of whole solves, and fits exponents of their growth over the upper octaves.
 
     tests/bench/growth.py PROGRAM KIND FIRST LAST [OPTION ...]
 
-KIND: jumps (a flat punch), parabola-jumps (x^2), pieces (a polygon in a parabola, half of its wedges in contact), zones
-(a row of equal bumps, each in contact), traces (a measured profile of so many pieces: a self-affine roughness on a parabola,
-by the Riemann-Hilbert method; without samples), cells (a parabola over three jumps, on cells), digits (the same, as many digits
-certified). Numbers run from 2^FIRST to 2^LAST. Each solve prints its residuals, of jumps, pieces and zones also 101 samples
-a component.
+KIND says what is counted, from 2^FIRST to 2^LAST:
+
+    jumps           friction jumps under a flat punch
+    parabola-jumps  friction jumps under x^2
+    pieces          pieces of a polygon in a parabola; half of its wedges are in contact
+    zones           equal bumps in a row, each in contact
+    traces          pieces of a measured profile: a self-affine roughness on a parabola, by the Riemann-Hilbert method
+    cells           cells; a parabola over three jumps
+    digits          certified digits; the same parabola
+
+Each solve prints its residuals. With jumps, parabola-jumps, pieces and zones it also prints 101 samples for each component.
 """
 
 import math

@@ -1,8 +1,8 @@
-"""How the times of the benchmark programs stand in the tables of tests/bench/README.md.
+"""The layouts of the tables in tests/bench/README.md.
 
-A layout names its program and arguments and turns measurements into one or two tables of Markdown, the second one for the
-marker `NAME 2`. A measurement is the CPU time in nanoseconds, and its counters; `Times` asks for them by the benchmark's
-name.
+A layout names a benchmark program and its arguments. It turns the measurements into one or two tables of Markdown; the second one
+is for the marker `NAME 2`. A measurement is the CPU time in nanoseconds, and its counters. `Times` returns it by the name of the
+benchmark.
 """
 
 import json

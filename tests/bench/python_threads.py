@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Two Python threads beside one: the same solves, with the interpreter's lock released while they run.
+"""Compares the time of two Python threads with that of one, for the same solves. A solve releases the interpreter's lock.
 
     PYTHONPATH=build/release/python tests/bench/python_threads.py [DIGITS] [SOLVES]
 """

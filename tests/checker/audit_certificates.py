@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""What the certifier proves of random problems the checker proves, in a few seconds.
+"""Tests that the checker proves each certificate of random problems in a few seconds.
 
-Random problems by seed, `first` and on, until `count` have a certificate: notches, steps, wedges on jumps, tilting indenters, and
-these together, some of them with friction that almost does not jump. Each is solved with --certify --certificate, and
-steadyslide-check --problem reads what was written. An answer takes at most `seconds` of processor time. `folder` receives the
-problem files of those that fail.
+Makes random problems from the seed `first` on, until `count` of them have a certificate: notches, steps, wedges on jumps, tilting
+indenters, and mixtures of them. In some of them friction almost does not jump. Solves each with --certify --certificate, and
+gives the certificate to steadyslide-check --problem. An answer may take at most `seconds` of processor time. `folder` receives
+the problem files of the failures.
 
-What it would miss: a wrong model that both programs share; both read problem files. With 16 digits: what goes wrong only where the
-bounds need more bits.
+The test misses an error in the model that both programs share; both read problem files. With 16 digits it misses errors that
+occur only if the bounds need more bits.
 """
 
 import argparse
@@ -26,7 +26,7 @@ NOT_PROVED = 0.2  # largest fraction of problems without a proof
 
 
 class Draw:
-    """Numbers of few digits, the same on every platform."""
+    """Random numbers with few digits, the same on every platform."""
 
     def __init__(self, seed):
         self.random = random.Random(seed).random
@@ -49,8 +49,11 @@ def text(number):
 
 
 def pieces_of(places, slopes, heights=None, rounded=False):
-    """Straight pieces with these slopes up to each of the places, from -1 on, joined exactly or, rounded, by steps of about
-    1e-9; or with these heights besides."""
+    """Returns the indenter of straight pieces from -1 to the last place, with these slopes.
+
+    The pieces join exactly. With rounded=True there are steps of about 1e-9 between them. With heights, each piece has its own
+    constant.
+    """
     height, last, lines = Fraction(0), Fraction(-1), []
     for k, to in enumerate(Fraction(f"{place:.9g}") for place in places):
         slope = Fraction(f"{slopes[k]:.6g}")
@@ -99,7 +102,10 @@ def problem(seed):
 
 
 def answered(command, folder, most):
-    """Exit code, last line said, seconds of processor time, which other processes do not lengthen; no code: without end."""
+    """Returns the exit code, the last line printed, and the seconds of processor time. The code is None if time ran out.
+
+    Other processes do not add to the processor time.
+    """
     start = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
     try:
         done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=60 * most, check=False,

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""check_certificates.py CHECKER STEADYSLIDE: steadyslide-check proves certificates, and none that is changed.
+"""check_certificates.py CHECKER STEADYSLIDE: steadyslide-check proves each certificate, and refuses each changed one.
 
-Certificates are made from all files in problems/ and from some examples with `steadyslide solve --certify --certificate`. Some are
-stored in certificates/, so that a change of the format is noticed. NAME.loads is for an interval of loads, NAME.cells a bound for
-cells; both are made with the options in MADE. NAME.refused.json has to be refused, with the words in its name's line of REFUSED.
-Changes: every kind in changes.json and CHANGES, on the certificate it names; then every key left out, and every value of another type.
+The test makes certificates of all files in problems/ and of some examples, with `steadyslide solve --certify --certificate`. Some
+certificates are stored in certificates/, so that the test notices a change of the format. NAME.loads is for an interval of loads,
+NAME.cells is a bound for cells; MADE has their options. NAME.refused.json must be refused, with the words in REFUSED.
+The changes are those in changes.json and CHANGES, each to the certificate that it names; then one key left out, for every key, and
+one value of another type, for every value.
 """
 
 import copy
@@ -39,7 +40,7 @@ def problem_of(name):
 
 
 def made_by(steadyslide):
-    """Certificates by name, from the files in problems/ and some examples."""
+    """Returns certificates by name, made of the files in problems/ and of some examples."""
     names = {f.stem for f in PROBLEMS.glob("*.toml") if not f.stem.endswith(".refused")}.union(CERTIFIED_EXAMPLES)
     certificates = {}
     with tempfile.NamedTemporaryFile("r", suffix=".json") as file:
@@ -59,7 +60,7 @@ def run(checker, text, *options):
 
 
 def shifted(ball, power):
-    """The ball's midpoint moved by 2^power, its radius as it was."""
+    """Returns the ball with its midpoint moved by 2^power. The radius stays."""
     mantissa, exponent, *radius = ball.split()
     m, e = int(mantissa, 16), int(exponent, 16)
     low = min(e, power)
@@ -76,7 +77,7 @@ def free(c):
 
 
 def change(path, value):
-    """The value at a path of keys, replaced."""
+    """Returns a change that replaces the value at a path of keys."""
 
     def apply(c):
         at = c
@@ -88,7 +89,7 @@ def change(path, value):
 
 
 def drop_zone(c):
-    """The zone on the right is forgotten, with the coefficient of q that goes with it."""
+    """Removes all contact zones but the left one."""
     ends = [k for k, p in enumerate(c["points"]) if p["contact"] in ("begins", "ends")]
     c["points"] = [p for k, p in enumerate(c["points"]) if k not in ends[2:]]
     c["segments"] = c["segments"][: len(c["points"]) - 1]
@@ -97,7 +98,7 @@ def drop_zone(c):
 
 
 def close_gap(c):
-    """Contact everywhere: the free ends and the coefficient of q are gone."""
+    """Makes the whole support one contact zone: removes the free ends and the coefficients of q."""
     c["points"] = [p for p in c["points"] if "side" not in p]
     c["segments"] = [True] * (len(c["points"]) - 1)
     for point in c["points"][1:-1]:
@@ -106,7 +107,7 @@ def close_gap(c):
 
 
 def split_zone(c):
-    """A gap of length 2^-10 or so is opened in the middle of the contact."""
+    """Opens a gap of length 2^-10 or so in the middle of the contact."""
     inner = next(k for k, p in enumerate(c["points"]) if p["contact"] == "interior")
     anchor = c["points"][inner]["anchor"]
     c["points"][inner]["contact"] = "outside"
@@ -118,13 +119,13 @@ def split_zone(c):
 
 
 def exchange_side(c):
-    """A free end keeps its place, and belongs to the anchor's other side."""
+    """Exchanges the side of its anchor on which a free end lies. Its offset stays."""
     point = free(c)[0]
     point["side"] = "left" if point["side"] == "right" else "right"
 
 
 def exchange_kind(c):
-    """An edge of the support becomes a free end just beside it."""
+    """Replaces contact up to the right edge of the support by a free end just beside the edge."""
     last = c["points"][-1]
     last["contact"] = "outside"
     end = {"anchor": last["anchor"], "side": "left", "log_offset": "-14 0 1 -64", "contact": "ends", "free": True}
@@ -133,7 +134,7 @@ def exchange_kind(c):
 
 
 def wide_loads(c):
-    """The last box is claimed for loads twice as far up as it was made for."""
+    """Extends the loads of the last box beyond those that the proof was made for, to 1.2."""
     c["problem"]["loads"][1] = c["boxes"][-1]["loads"][1] = "1.2"
 
 
@@ -142,7 +143,7 @@ def scaled(factor):
 
 
 def two_pressures(c):
-    """2 % of one cell's pressure to its neighbour."""
+    """Moves 2 % of one cell's pressure to its neighbour."""
     moved = c["pressures"][25] // 50
     c["pressures"][25] -= moved
     c["pressures"][26] += moved
@@ -156,9 +157,9 @@ LOADS, LIFTED_LOADS, CELLS = "parabola_rough_front.loads", "lifted_punch.loads",
 PARABOLA, STEP, SLOT, TILT, PUNCH, BUMPS, WEDGE = (
     "parabola_rough_front", "stepped_punch", "slotted_punch", "tilting_punch", "two_coatings_forward", "two_bumps", "wedge_on_jump")
 
-# Each entry of changes.json changes one value: a name, the certificate, the path, and the new value. (The frame's
-# origin is that of one with q: without q a frame may move; offsets belong to anchors, and the certificate says what it
-# said.)
+# Each entry of changes.json changes one value: a name, the certificate, the path, and the new value. The origin of the frame is
+# changed in a certificate with q: without q the frame may move, because offsets are relative to anchors, and the certificate stays
+# true.
 CHANGES = [(what, name, change(path, value)) for what, name, path, value in json.loads(LISTED.read_text())] + [
     ("step the other way", STEP, change(["problem", "indenter", "pieces", 1, "profile", 0], lambda c: "-" + c)),
     ("anchor of a free end", PARABOLA, lambda c: free(c)[0].update(anchor=0)),
@@ -226,7 +227,7 @@ CHANGES = [(what, name, change(path, value)) for what, name, path, value in json
     ("an unknown key of a point", PARABOLA, lambda c: c["points"][0].update(proved=True)),
 ]
 
-# Changes that leave a certificate true. The gap of the first one is 0.0028 at its narrowest place, here it is 3.7e-11.
+# Changes that leave a certificate true. The narrowest gap of the first one is 0.0028, and 3.7e-11 after the change.
 STILL_TRUE = [
     ("load under which a gap almost closes", "gap_that_narrows", change(["problem", "load"], "0.3027864235")),
 ]

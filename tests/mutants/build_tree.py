@@ -1,4 +1,4 @@
-"""A build directory of Ninja: one source compiled anew and linked in, with nothing in the directory changed."""
+"""A build directory of Ninja. Compiles one changed source and links it, without a change in the directory."""
 
 import json
 import shlex
@@ -7,7 +7,7 @@ from pathlib import Path
 
 
 class BuildFailed(Exception):
-    """A command of the build failed; the text says which and how."""
+    """A command of the build failed. The text is its first error."""
 
 
 def run_build_command(command, directory):
@@ -35,7 +35,10 @@ class BuildTree:
         return self.directory / "bin" / name
 
     def unit_of(self, source):
-        """What the build compiles for a source: the source, or the file that includes it with others and the line."""
+        """Returns the file that the build compiles for a source, and None.
+
+        In a unity build this is the file that includes the source with others, and the line that includes it.
+        """
         if source in self.compilations:
             return source, None
         line = f'#include "{source}"'
@@ -46,13 +49,16 @@ class BuildTree:
 
     @staticmethod
     def unit_with(unit, include, mutant, folder):
-        """The unit with the mutant in the source's place, so that its object defines all that the library's would."""
+        """Writes a copy of the unit that includes the mutant instead of the source, and returns its path.
+
+        Its object defines all symbols of the library's object.
+        """
         copy = folder / f"unit_{Path(unit).name}"
         copy.write_text(Path(unit).read_text(encoding="utf-8").replace(include, f'#include "{mutant}"'), encoding="utf-8")
         return copy
 
     def embedded(self, source, copy, folder):
-        """The first C++ source that the build makes of a text, and the one that it makes with the copy in its place."""
+        """Returns the C++ source that the build makes of an embedded text, and the source that it makes of the copy."""
         query = run_build_command(["ninja", "-t", "query", source], self.directory).splitlines()
         output = next((line.strip() for line in query if line.endswith(".cpp")), None)
         if output is None:
@@ -65,8 +71,10 @@ class BuildTree:
         return str(self.directory / output), target
 
     def compile(self, file, text, folder):
-        """Compiles `text` in the place of the source or embedded text `file`; returns the object. Includes are named
-        from the root, so that the copy may lie anywhere."""
+        """Compiles `text` instead of the source or embedded text `file`. Returns the object.
+
+        Includes are named from the root, so that the copy may lie anywhere.
+        """
         source = str(self.root / file)
         copy = folder / Path(file).name
         copy.write_text(text, encoding="utf-8")
@@ -94,12 +102,12 @@ class BuildTree:
         return self.links[name]
 
     def contains(self, name, file):
-        """Is the library of this source linked into the executable?"""
+        """True if the library of this source is linked into the executable."""
         library = f"libsteadyslide_{file.split('/')[0]}.a"
         return any(word.endswith(library) for word in self.link_command(name))
 
     def link(self, name, mutated_object, folder):
-        """Links the executable with the object before the libraries: what it defines is not taken from them."""
+        """Links the executable with the object before the libraries, so that its symbols replace theirs."""
         command = list(self.link_command(name))
         target = folder / name
         command[after_option(command, "-o")] = str(target)

@@ -1,5 +1,5 @@
-"""The first line of an executable's output that refutes a mutant: the same on every run and every machine, as far as
-numbers are."""
+"""Finds the first line in the output of an executable that refutes a mutant. The line is the same on every run and every machine,
+except for differences of numbers."""
 
 import re
 import signal
@@ -13,7 +13,7 @@ def shortened(text):
 
 
 def from_claims(lines):
-    """verify-...: the first claim that is not settled, and why."""
+    """Returns the first claim in the output of verify-... that is refuted or undecided, with the reason; None without one."""
     for k, line in enumerate(lines):
         words = line.split()
         if line.startswith(" ") or len(words) < 2 or words[1] not in ("refuted", "undecided"):
@@ -29,7 +29,7 @@ def from_claims(lines):
 
 
 def from_doctest(lines, root):
-    """A suite of doctest: the first check that fails, and its case."""
+    """Returns the first failed check in the output of a suite of doctest, and its test case."""
     case = ""
     for k, line in enumerate(lines):
         if line.startswith("TEST CASE:"):

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""The guard against tautologies: the model is changed consistently, one definition for all that use it, and the whole ledger
-is examined. What still stands although it speaks of what was changed compares the program with itself.
+"""The guard against tautologies. It changes one definition of the model, for all code that uses it, and checks the whole ledger.
+A claim about this definition that still holds compares the program with itself.
 
-The changes, and the claims that speak of each, are tests/mutants/guard.toml; which claims noticed which change is
-docs/guard.csv. A claim that speaks of a change and is silent gets a second route, not an exception: the list has none.
+tests/mutants/guard.toml has the changes, and for each the claims that must notice it. docs/guard.csv has the claims that noticed
+each change. A claim that must notice a change and does not gets a second route. There are no exceptions.
 
-Exit code: 0 every claim that speaks of a change has noticed it, 1 one is silent, 2 the list is wrong or the table differs from
-it, 3 the build is not usable.
+Exit code: 0 every claim has noticed the changes that it must notice, 1 a claim has not, 2 the list is wrong or the table differs
+from it, 3 the build is not usable.
 """
 
 import argparse
@@ -50,7 +50,7 @@ def read_changes(path):
 
 
 def examined(program):
-    """The claims of a quick run in double, by id: verdict, and whether nothing can decide it."""
+    """Returns the claims of a quick run in double by id: True if proved or supported. Returns None if the program fails."""
     code, output = started([program, "verify", "--quick", "--digits", "16", "--format", "json"], TIME_LIMIT)
     if code not in (0, 1):
         return None
@@ -59,7 +59,7 @@ def examined(program):
 
 
 def noticed(change, tree, before):
-    """The claims that hold unchanged and no longer do; all of them if the program does not run to its end."""
+    """Returns the claims that hold before the change and not after it. If the changed program fails, these are all."""
     with tempfile.TemporaryDirectory(prefix="guard-") as temporary:
         folder = Path(temporary)
         text = (ROOT / change.mutant.file).read_text(encoding="utf-8")

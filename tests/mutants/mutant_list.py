@@ -1,4 +1,4 @@
-"""The list of mutants, tests/mutants/mutants.toml, and the table docs/mutants.csv of what refutes them."""
+"""The list of mutants, tests/mutants/mutants.toml, and docs/mutants.csv, the table of the checks that refute them."""
 
 import csv
 import io
@@ -11,7 +11,7 @@ PARTS = ("model", "symbolic", "numeric", "enclosure", "library", "proofs_checks"
 
 
 class BadList(Exception):
-    """A list that cannot be run: nothing has been learnt about any mutant."""
+    """The list is invalid. No mutant was run."""
 
 
 @dataclass(frozen=True)
@@ -29,7 +29,7 @@ class Mutant:
 
 
 def faults(mutant, root):
-    """What makes this entry of the list no mutant."""
+    """Returns the reasons why this entry of the list is invalid."""
     path = root / mutant.file
     if not mutant.file.startswith(tuple(part + "/" for part in PARTS)) or path.suffix not in (".cpp", ".txt"):
         return [f"{mutant.id}: {mutant.file} is no source of {', '.join(PARTS)}"]
@@ -45,7 +45,7 @@ def faults(mutant, root):
 
 
 def read_list(path, root):
-    """All mutants, in the order of the file. Raises BadList."""
+    """Returns all mutants in the order of the file. Raises BadList."""
     try:
         entries = tomllib.loads(path.read_text(encoding="utf-8"))["mutant"]
         mutants = [Mutant(**entry) for entry in entries]
@@ -60,7 +60,7 @@ def read_list(path, root):
 
 
 def read_table(path):
-    """The rows by id; none if there is no table yet."""
+    """Returns the rows by id. The result is empty if there is no table yet."""
     if not path.is_file():
         return {}
     with path.open(encoding="utf-8", newline="") as file:
@@ -68,13 +68,15 @@ def read_table(path):
 
 
 def row_of(mutant):
-    """The mutant's row of the table, without the evidence."""
+    """Returns the mutant's row of the table without the evidence."""
     return {"id": mutant.id, "file": mutant.file, "change": mutant.change, "killer": mutant.killed_by}
 
 
 def table_text(mutants, evidence, known):
-    """The table in the list's order: new evidence first, else the row that was there; mutants without either are left
-    out."""
+    """Returns the table in the order of the list. Evidence is the new one, or else that of the old table.
+
+    Mutants without evidence are left out.
+    """
     stream = io.StringIO()
     writer = csv.DictWriter(stream, COLUMNS, lineterminator="\n")
     writer.writeheader()
@@ -86,7 +88,7 @@ def table_text(mutants, evidence, known):
 
 
 def disagreements(mutants, table):
-    """Where the list and the table do not say the same."""
+    """Returns the differences between the list and the table."""
     result = [f"{name}: in the table only" for name in table if name not in {mutant.id for mutant in mutants}]
     for mutant in mutants:
         row = table.get(mutant.id)

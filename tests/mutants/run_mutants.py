@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Builds mutants of the program, one wrong line each, and shows that a verification executable or a test refutes every
-one: a check that lets a wrong formula pass is no check.
+"""Builds mutants of the program, each with one wrong line, and shows that a verification executable or a test refutes every
+one. A check that accepts a wrong formula is no check.
 
-The list is tests/mutants/mutants.toml, the table of what refuted what docs/mutants.csv. Of a mutant one source is
-compiled, outside the build directory, and linked into its killer in front of the libraries; it is refuted if the killer
-then fails, or gives no answer in time. Each killer has to pass unmutated first. Where a killer runs the program instead
-of containing it, the program is what is mutated.
+tests/mutants/mutants.toml is the list, docs/mutants.csv the table of the checks that refuted them. For each mutant one source is
+compiled, outside the build directory, and linked into its killer before the libraries. The mutant is refuted if the killer fails,
+or gives no answer in time. Each killer must first pass without a mutant. If a killer runs the program and does not contain
+it, the mutant is linked into the program.
 
 Exit code: 0 all refuted, 1 one survives, 2 the list is wrong or the table differs from it, 3 the build is not usable.
 """
@@ -36,11 +36,11 @@ class Outcome:
     killed: bool
     seconds: float
     evidence: str
-    broken: bool = False  # the run says nothing about the mutant
+    broken: bool = False  # the run has no result
 
 
 def started(command, time_limit, program=None):
-    """Exit code and output; no exit code where the time was up."""
+    """Returns the exit code and the output. The code is None if there is no answer in time."""
     environment = {"RC_PARAMS": "seed=2016", **os.environ}
     if program:
         environment["STEADYSLIDE_EXECUTABLE"] = str(program)
@@ -61,8 +61,10 @@ class Runner:
         self.lock = Lock()
 
     def limit_of(self, killer):
-        """Seconds that the killer may take with a mutant, many times what it takes without: a machine that is busy is no
-        hang. None if it fails without: it then kills nothing. Run once, whichever thread comes first."""
+        """Returns the seconds that the killer may take with a mutant: many times its time without one, for a busy machine.
+
+        Returns None if the killer fails without a mutant. The first thread that needs a killer's limit runs it, once.
+        """
         with self.lock:
             if killer not in self.limits:
                 name, *arguments = shlex.split(killer)
@@ -129,12 +131,12 @@ def parsed(arguments):
     parser.add_argument("--write", metavar="CSV", type=Path,
                         help="write the table; of mutants not run now, the rows that it has")
     parser.add_argument("--time-limit", metavar="S", type=int, default=60, help="seconds a killer may take at least before it counts as hanging (60)")
-    parser.add_argument("-j", dest="jobs", metavar="N", type=int, default=1, help="so many at a time (1)")
+    parser.add_argument("-j", dest="jobs", metavar="N", type=int, default=1, help="mutants run at a time (1)")
     return parser.parse_args(arguments)
 
 
 def run_all(mutants, runner, jobs):
-    """Prints a line for each as soon as all before it are done."""
+    """Runs the mutants. Prints the line of a mutant as soon as all mutants before it are done."""
     outcomes = {}
     with ThreadPoolExecutor(jobs) as pool:
         for mutant, outcome in zip(mutants, pool.map(runner.run, mutants)):

@@ -1,16 +1,16 @@
-"""code_blocks.py PROGRAMS SOURCE WORK [FILE...]: every block of code in README.md, docs/*.md and the
-examples' page is run, compiled or read.
+"""code_blocks.py PROGRAMS SOURCE WORK [FILE...]: runs, compiles or reads every block of code in README.md, docs/*.md and
+examples/README.md.
 
-    python   the blocks of a page, one after the other, in one interpreter
-    cpp      a program: compiled, run; what a line prints is what its comment says (`...` stands for more digits)
-    toml     a problem file, or a sweep, that the program reads; what a part of one leaves out is filled in
-    json     a document, or one a line
-    coq      lemmas that `verify --export-coq` writes so
-    bibtex   numbers and names that CITATION.cff has, too
-    console  run by run_snippets
+    python   runs the blocks of a page, one after the other, in one interpreter
+    cpp      compiles and runs a program; each line prints the text in its comment (`...` stands for more digits)
+    toml     solves a problem file or a sweep; adds the tables that an incomplete block lacks
+    json     reads a document, or one document in each line
+    coq      compares with the lemmas that `verify --export-coq` writes
+    bibtex   compares names and numbers with CITATION.cff
+    console  another test, run_snippets, runs these
 
-Any other block says after its language why it is not run: ```sh not run: REASON. Blocks without a language are no code.
-PROGRAMS is the build tree. Exit code 1 if a block is wrong; the last line counts them.
+Any other block gives a reason after its language: ```sh not run: REASON. Blocks without a language are not code.
+PROGRAMS is the build tree. Exit code 1 if a block is wrong; the last line counts the blocks.
 """
 
 import json
@@ -36,7 +36,7 @@ class Runner:
         self.environment = os.environ | {
             "PATH": f"{programs / 'bin'}:{os.environ['PATH']}", "PYTHONPATH": str(programs / "python"),
             "PYTHONDONTWRITEBYTECODE": "1", "MPLBACKEND": "Agg", "LD_LIBRARY_PATH": str(programs / "library")}
-        self.pages = {}  # the Python blocks of each page so far
+        self.pages = {}  # for each page its Python blocks until now
 
     def answer(self, *command, **options):
         done = subprocess.run(command, cwd=self.work, env=self.environment, capture_output=True, encoding="utf-8", **options)

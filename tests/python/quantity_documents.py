@@ -1,6 +1,6 @@
-"""The parts of documents that list the quantities of an answer, made from the table in library/answer/quantities.hpp.
+"""Makes the parts of documents that list the quantities of an answer, from the table in library/answer/quantities.hpp.
 
-    python3 tests/python/quantity_documents.py      # writes them; PYTHONPATH has the module of the build
+    python3 tests/python/quantity_documents.py      # writes them; set PYTHONPATH to the module of the build
 """
 
 import pathlib
@@ -45,7 +45,7 @@ PARTS = [
 
 
 def found(part):
-    """The text of the file before its part, the part, and the text behind it."""
+    """Returns the text of the file before the part, the part, and the text behind it."""
     file, before, behind, _ = part
     match = re.fullmatch(f"(.*{re.escape(before)})(.*?)({re.escape(behind)}.*)", (ROOT / file).read_text("utf-8"), re.DOTALL)
     return match.groups()

@@ -1,4 +1,4 @@
-"""Bad data raise InvalidData, a ValueError, with the command line's text."""
+"""Bad data raise InvalidData, a ValueError, with the message of the command line."""
 
 import json
 import os
@@ -63,7 +63,7 @@ def test_places_and_meshes():
 
 
 def with_changes(good, changes):
-    """The text of a file that differs from the good one: bad_files.txt says how it is written."""
+    """Returns the text of a file that differs from the good one. bad_files.txt describes the notation of changes."""
     tables = {}
     for line in (good + "\n" + changes).splitlines():
         table, key, value = re.fullmatch(r"~ (?:(\[\S+\]) ?)?([^=]*?)( = .*)?", line).groups()

@@ -1,4 +1,4 @@
-"""Every rendering of an answer has the quantities of one table, library/answer/quantities.hpp."""
+"""Every output format has the quantities of one table, library/answer/quantities.hpp."""
 
 import inspect
 import json
@@ -12,7 +12,7 @@ import steadyslide as ss
 from steadyslide import _core
 
 KEYS = [key for _, key, _, _ in _core.quantities]
-# Rigid, flat and free to tilt: its answer has all quantities.
+# The punch is rigid, flat and free to tilt, so that its solution has all quantities.
 TILTING_PUNCH = ss.Problem(load=1, load_at=0, poisson="0.3", friction=["0.1", "0.2"], jumps=[0], profile=0)
 
 
@@ -25,7 +25,7 @@ def printed(tmp_path, *arguments, command="solve", text=TILTING_PUNCH.text, code
 
 
 def lines_of(text, heading):
-    """The names in the block of lines below a heading."""
+    """Returns the names in the block of lines below a heading."""
     block = text.split(heading)[1].split("\n\n")[0].split("\n")[1:]
     return [line[2:24].split("  ")[0].strip() for line in block]
 

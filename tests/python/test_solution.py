@@ -1,4 +1,4 @@
-"""Solutions agree with the command line's, at 16 and at 50 digits, and keep what they promise of Python's types."""
+"""Solutions in Python agree with those of the command line, at 16 and 50 digits, and have the documented types."""
 
 import json
 import os

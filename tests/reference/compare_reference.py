@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
-"""compare_reference.py SOURCE PROGRAM WORK: the reference problems, computed again, are those in the sources; sums and formulas
-that the program does not know hold for them; a wrong digit is noticed."""
+"""compare_reference.py SOURCE PROGRAM WORK: computes the reference problems again and compares them with those in the sources.
+
+Also checks sums and formulas that the program does not use. A control changes one digit, and the comparison must notice it.
+"""
 import csv
 import math
 import os
@@ -39,7 +41,7 @@ def is_number(text):
 
 
 def differences(one, other):
-    """Places where two tables differ by more than the tolerance: errors, which are no results, by more than a factor of 1000."""
+    """Returns the places where two tables differ by more than the tolerance. Two errors may differ if both are below 1e-30."""
     one, other = rows_of(one), rows_of(other)
     if [len(row) for row in one] != [len(row) for row in other]:
         return ["another shape"]
@@ -67,7 +69,7 @@ def fraction(text):
 
 
 def formula(problem):
-    """The traction of a flat punch, in double, by the product of powers."""
+    """Returns the traction of a flat punch as a function of x, by the product of powers, in double; and the friction jumps."""
     nu = fraction(problem["half_space"]["poisson"])
     gamma = (1 - 2 * nu) / (2 * (1 - nu))
     alpha = [math.atan(gamma * fraction(value)) / math.pi for value in problem["friction"]["values"]]
@@ -100,8 +102,7 @@ def check_laws(folder):
         require(len(inside) >= 36, f"{folder.name}: too few places")
         for x, found in inside:
             require(abs(found / traction(x) - 1) < 1e-13, f"{folder.name}: the traction at {x}")
-    # The stresses tend to the tractions at the surface: the shallowest points are compared with the average of the
-    # forces.
+    # In plane strain syy = nu (sxx + szz).
     for row in table(folder / "stress.csv"):
         sxx, szz, syy = (Decimal(row[name]) for name in ("sxx", "szz", "syy"))
         nu = Decimal(fraction(problem["half_space"]["poisson"]))

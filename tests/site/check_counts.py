@@ -1,4 +1,4 @@
-"""check_counts.py VERIFY PAGES: the counts on the site's pages are those of `verify --format json`."""
+"""check_counts.py VERIFY PAGES: the counts on the site's pages must be those of `verify --format json`."""
 
 import json
 import re

@@ -1,5 +1,5 @@
-"""check_links.py FOLDER: every link, picture, stylesheet and script of the pages leads to a file in FOLDER, and to an anchor in it;
-addresses elsewhere are https and well formed; no page loads anything from elsewhere. --control: a page with broken ones."""
+"""check_links.py FOLDER: every link, picture, stylesheet and script of the pages must lead to a file in FOLDER, and to an anchor in
+this file. Addresses elsewhere must be well formed. No page may load anything from elsewhere. --control checks pages with faults."""
 
 import re
 import sys
@@ -30,7 +30,7 @@ class Page(HTMLParser):
 
 
 def check(folder):
-    """How many links there are, and what is wrong with them, one line each."""
+    """Returns the number of links, and one line for each wrong one."""
     folder = folder.resolve()
     pages = {path: Page(path) for path in sorted(folder.rglob("*.html"))}
     count, wrong = 0, []
@@ -61,7 +61,7 @@ def check(folder):
 
 
 def control():
-    """Each fault of a bad page is noticed."""
+    """Checks that each fault of a bad page is noticed."""
     bad = {"missing.html": "leads nowhere", "#missing": "no such anchor", "index.html#a": "", "https://nowhere": "no address",
            "../index.html": "leads nowhere", "https://example.org/a": ""}
     with tempfile.TemporaryDirectory() as folder:

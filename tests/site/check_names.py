@@ -1,7 +1,7 @@
-"""check_names.py INVENTORY HEADER LIBRARY: every public name of the C++ facade and of the Python module is in the site's index.
+"""check_names.py INVENTORY HEADER LIBRARY: every public name of the C++ facade and of the Python module must be in the site's index.
 
-The names of C++ are those that the shared library exports (nm) and those that the header declares, those of Python what dir()
-says of the module and its classes; none of it comes from Doxygen or Sphinx. The control takes a name out of the index.
+The names of C++ are those that the shared library exports (nm) and those that the header declares. The names of Python come from
+the module and its classes themselves. None of them comes from Doxygen or Sphinx. The control removes a name from the index.
 """
 
 import re
@@ -15,14 +15,14 @@ import steadyslide
 
 
 def exported(library):
-    """Classes' functions and free ones, by their names with namespaces."""
+    """Returns the names of exported functions and member functions, with namespaces."""
     text = subprocess.run(["nm", "-DC", "--defined-only", library], capture_output=True, check=True, encoding="utf-8").stdout
     names = set(re.findall(r" [TW] (steadyslide::[\w:~]+)\(", text))
     return {name for name in names if "~" not in name and len(set(name.split("::"))) == len(name.split("::"))}
 
 
 def declared(header):
-    """What the header declares in its public parts, by last names: types, members, functions."""
+    """Returns the names without namespace that the public parts of the header declare: types, members, functions."""
     text = re.sub(r"//.*|#(?:.*\\\n)*.*|STEADYSLIDE_QUANTITIES\(.*\)|\bSTEADYSLIDE_API\b", "", header.read_text(encoding="utf-8"))
     text = re.sub(r"private:.*?\n};", "};", text, flags=re.DOTALL)
     types = set(re.findall(r"\b(?:struct|class) (\w+)[^;{]*{", text))

@@ -1,5 +1,5 @@
-// The ledger's filter, order and folds, their state in the address; formulas as TeX. Without it the page is complete, in the
-// paper's order.
+// Filters, sorts and folds the ledger, keeps this state in the page's address, and gives formulas as TeX. Without this
+// script the page is complete, in the paper's order.
 (function () {
   "use strict";
   const find = (selector, root = document) => root.querySelector(selector);
@@ -14,8 +14,8 @@
     const claims = all(".claim", list), boxes = all("input[name=verdict]", tools), buttons = all("[data-sort]", tools);
     const filter = find("#filter"), severity = { refuted: 0, undecided: 1, supported: 2, proved: 3 };
 
-    // "theorem 1" is a place: it is looked for among the places of an entry, and is not theorem 10. Other words may stand anywhere;
-    // a number is a whole one.
+    // "theorem 1" is a place: it is searched among the places of an entry, and does not match "theorem 10". Other words
+    // may stand anywhere in the entry. A number matches only a whole number.
     const place = /\b(theorem|lemma|proposition|section|remark|figure|appendix)s? (\d+(?:\.\d+)?|[a-z])\b/g;
     function matches(claim, text) {
       const places = claim.dataset.place.toLowerCase(), words = `${places} ${claim.dataset.text.toLowerCase()}`;
@@ -38,7 +38,7 @@
       verdict: (a, b) => severity[a.dataset.verdict] - severity[b.dataset.verdict],
       seconds: (a, b) => b.dataset.seconds - a.dataset.seconds,
     };
-    // A second press turns the order round; equal ones stay in the paper's.
+    // A second click reverses the order. Equal entries keep the paper's order.
     function sort(button, down = button.dataset.direction === "up") {
       buttons.forEach((other) => {
         other.setAttribute("aria-pressed", String(other === button));
@@ -94,7 +94,7 @@
     recall();
   }
 
-  // ---- on a phone the rows of a table are cards: each cell names its column
+  // ---- tables: on a phone each row is a card, and each cell names its column
 
   all("table").forEach((table) => {
     const names = all(":scope > thead th", table).map((th) => th.textContent);
@@ -103,7 +103,7 @@
     });
   });
 
-  // ---- printing: what is folded stays so, unless everything is asked for
+  // ---- printing: closed folds stay closed, unless the reader chooses "print everything"
 
   const everything = find("#print-all");
   everything.hidden = false;
@@ -149,7 +149,7 @@
   const parts = (math) => { const whole = math.closest(".f"); return whole ? all("math", whole) : [math]; };
   const texOf = (math) => parts(math).map(tex).join("").replace(/\s+(?=[\s_^{}),\]]|$)/g, "").trim();
 
-  // What is copied has its formulas as TeX.
+  // Formulas in copied text become TeX.
   document.addEventListener("copy", (event) => {
     const selection = getSelection();
     if (!selection.rangeCount || selection.isCollapsed) return;
@@ -210,7 +210,7 @@
   });
   document.addEventListener("keydown", (event) => { if (event.key === "Escape") close(); });
 
-  // ---- where the reader is, in the contents
+  // ---- marks the visible section in the contents
 
   const links = new Map(all("nav a").map((a) => [a.hash.slice(1), a]));
   const watch = new IntersectionObserver((seen) => seen.filter((s) => s.isIntersecting).forEach((s) => {

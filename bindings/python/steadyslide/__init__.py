@@ -5,10 +5,11 @@
     s = p.solve()                       # digits=50 gives mpmath numbers
     s.effective_friction, s.traction([-0.5, 0.5])
 
-Data are exact: integers, fractions.Fraction, decimal.Decimal, strings ("0.1", "1/3"); a float is the decimal that it
-prints. Bad data raise InvalidData, a ValueError, with the command line's text. A solve that does not converge raises
-nothing: Solution.solved, Solution.failed_condition. Signs and units are those of the command line: traction <= 0, stresses
-positive in tension, z > 0 the depth. Objects may be shared by threads, which run side by side while they solve.
+Data are exact: integers, fractions.Fraction, decimal.Decimal, strings ("0.1", "1/3"). A float stands for the decimal that
+it prints. Bad data raise InvalidData, a ValueError, with the message of the command line. A solve that does not converge
+raises nothing: check Solution.solved and Solution.failed_condition. Signs and units are those of the command line: the
+traction is <= 0, stresses are positive in tension, z > 0 is the depth. Threads may share objects, and solve at the same
+time.
 """
 
 import tomllib
@@ -33,11 +34,11 @@ Places = Exact | Sequence[Any] | np.ndarray
 Values = Any  # a Number for a number, an array for an array
 
 InvalidData.__module__ = __name__
-InvalidData.__doc__ = "Data that break a rule: what is wrong; the rule; the value."
+InvalidData.__doc__ = "Data that break a rule. The message says what is wrong, the rule, and the value."
 
 
 class Number(float):
-    """A float with its estimated absolute error; what is calculated with it has none."""
+    """A float with its estimated absolute error. The result of arithmetic with it is a float without an error."""
 
     error: float
 
@@ -55,7 +56,10 @@ Contact = NamedTuple("Contact", [("left", ContactEnd), ("right", ContactEnd), ("
 
 
 class SingularPoint(NamedTuple):
-    """Where the traction is singular; exponent None: a logarithm. p ~ stress_intensity (2 pi d)^exponent."""
+    """A place where the traction is singular: p ~ stress_intensity (2 pi d)^exponent, d the distance from it.
+
+    The exponent of a logarithm is None. A stress intensity is None if there is no contact on its side.
+    """
 
     x: Number
     kind: str
@@ -68,14 +72,17 @@ class SingularPoint(NamedTuple):
 
 
 class UnresolvedGap(NamedTuple):
-    """A gap over a notch that is too short for any place in it to have a number: a solution has contact there."""
+    """A gap over a notch of the profile. It is too short to contain a number of the precision.
+
+    The solution shows contact there. log10_length is the decimal logarithm of its length, an order of magnitude.
+    """
 
     x: Number
     log10_length: float
 
 
 class PossiblePoint(NamedTuple):
-    """Where the traction can be singular; x empty: anywhere."""
+    """A place where the traction can be singular, for any contact set. x is empty if it can be any place."""
 
     x: str
     kind: str
@@ -85,7 +92,7 @@ class PossiblePoint(NamedTuple):
 
 
 class LargestPressure(NamedTuple):
-    """inf where it is singular, with the exponent that it has there."""
+    """The largest pressure and its place. If the pressure is infinite there, value is inf, and exponent is its power."""
 
     value: Number
     x: Number
@@ -93,14 +100,14 @@ class LargestPressure(NamedTuple):
 
 
 class Interval(NamedTuple):
-    """From left to right."""
+    """An interval of x, from its left end to its right end."""
 
     left: Number
     right: Number
 
 
 class Resultants(NamedTuple):
-    """The numbers of the whole contact; None: the solution has no such number."""
+    """The quantities of the whole contact. A quantity is None if the solution has no such number."""
 
     normal: Number
     friction_force: Number
@@ -121,7 +128,7 @@ for _key, (_, _, _unit, _meaning) in zip(Resultants._fields, _core.quantities):
 
 
 class Sample(NamedTuple):
-    """All that is known of a place of the surface; pairs are the limits from left and right."""
+    """All quantities at one place of the surface. Pairs are the limits from the left and from the right."""
 
     traction: tuple[Number, Number]
     shear: tuple[Number, Number]
@@ -133,7 +140,10 @@ class Sample(NamedTuple):
 
 
 class Stress(NamedTuple):
-    """Stresses and the displacement's gradient; None without Poisson's ratio. errors: a Stress of errors, or None."""
+    """Stresses at points of the body, and the gradient of the displacement.
+
+    If the problem gives gamma instead of materials, yy, mean, von_mises and the gradient are None.
+    """
 
     xx: Values
     zz: Values
@@ -149,7 +159,10 @@ class Stress(NamedTuple):
 
 
 class NodalForces(NamedTuple):
-    """Of each node: normal along +z, into the body, tangential along +x."""
+    """Arrays with one force for each node: the normal force along +z, into the body, and the tangential one along +x.
+
+    The other two arrays are their errors.
+    """
 
     normal: np.ndarray
     tangential: np.ndarray
@@ -158,7 +171,11 @@ class NodalForces(NamedTuple):
 
 
 class Proof:
-    """What is proved of a solution in ball arithmetic."""
+    """The result of a proof in ball arithmetic.
+
+    reason says why nothing is proved, and is empty if the solution is proved. certificate is JSON, and empty if nothing is
+    proved. unresolved_gaps are those of the certified solution.
+    """
 
     def __init__(self, proved: bool, reason: str, certificate: str, unresolved_gaps: list[UnresolvedGap]) -> None:
         self.proved = proved
@@ -170,7 +187,7 @@ class Proof:
         return "<steadyslide.Proof: proved>" if self.proved else f"<steadyslide.Proof: not proved: {self.reason}>"
 
     def save(self, path: str | PathLike[str]) -> None:
-        """Writes the certificate, for steadyslide-check; raises RuntimeError if nothing is proved."""
+        """Writes the certificate to a file, for steadyslide-check. Raises RuntimeError if there is no certificate."""
         if not self.certificate:
             raise RuntimeError(f"{path}: no certificate; {self.reason}")
         with open(path, "w", encoding="utf-8") as file:
@@ -178,12 +195,22 @@ class Proof:
 
 
 class Problem:
-    """A contact problem, exact; it cannot be changed.
+    """An exact contact problem. It cannot be changed.
 
-    The keywords are a problem file's data: load; poisson, young and plane ("strain" or "stress"), or gamma; sliding ("+x"
-    or "-x"); load_at, where the load acts on an indenter that may tilt; friction, one value more than jumps; one of profile
-    ("x^2/2"), pieces ([(to, profile), ...]) and samples (a trace's file); support ([left, right]); elastic
-    ({"poisson": ..., "young": ...}), the indenter's material.
+    The keywords are the data of a problem file:
+
+    load: P > 0.
+    load_at: the place of the load, for an indenter that may tilt.
+    poisson, young, plane: the material, and "strain" or "stress"; or gamma instead of all three.
+    sliding: "+x" or "-x".
+    friction: one value more than there are jumps.
+    jumps: the places at which the friction jumps.
+    profile, pieces or samples: the indenter, "x^2/2", or [(to, profile), ...], or the file of a measured profile, which may
+    also be a table {"file": ..., "x_unit": ..., ...}.
+    support: [left, right].
+    elastic: {"poisson": ..., "young": ...}, the material of the indenter.
+
+    Raises InvalidData.
     """
 
     __slots__ = ("_core",)
@@ -213,26 +240,32 @@ class Problem:
 
     @classmethod
     def from_toml(cls, path: str | PathLike[str]) -> "Problem":
-        """Reads a problem file. Raises InvalidData "FILE:LINE: what is wrong; the rule; the value", OSError."""
+        """Reads a problem file. Raises InvalidData "FILE:LINE: what is wrong; the rule; the value".
+
+        Raises OSError if the file cannot be read.
+        """
         return cls._of(_core.Problem.read(str(path)))
 
     @classmethod
     def from_string(cls, text: str, name: str = "") -> "Problem":
-        """The text of a problem file; samples are looked for beside `name`."""
+        """Reads the text of a problem file. A measured profile is searched in the folder of `name`. Raises InvalidData."""
         return cls._of(_core.Problem.from_text(text, str(name)))
 
     @property
     def text(self) -> str:
-        """The problem file that says the same."""
+        """The problem file of this problem."""
         return self._core.text
 
     @property
     def name(self) -> str:
-        """The file that it was read from; empty without one."""
+        """The name of the file that the problem was read from; empty without a file."""
         return self._core.name
 
     def with_(self, **changes: Any) -> "Problem":
-        """The problem with some data changed, by their paths in a problem file: with_(**{"friction.values[1]": "0.3"})."""
+        """Returns a problem with some data changed. The keywords are their paths in a problem file.
+
+        with_(**{"friction.values[1]": "0.3"}) changes the second friction value. Raises InvalidData.
+        """
         document = tomllib.loads(self.text, parse_float=str)
         for path, value in changes.items():
             _document.changed(document, path, value)
@@ -241,17 +274,23 @@ class Problem:
         return problem
 
     def solve(self, digits: int = 16, method: str = "auto", cells: int | None = None) -> "Solution":
-        """Solves it: digits from 1 to 100; method auto, closed-form, riemann-hilbert or variational, the last on so many
-        cells. Raises InvalidData for options out of range and for a method that does not apply."""
+        """Solves the problem, and returns a Solution. A solve that does not converge raises nothing: see Solution.solved.
+
+        digits: 1 to 100. method: auto, closed-form, riemann-hilbert or variational. cells: number of cells of the
+        variational method. Raises InvalidData if an option is out of range, or if the chosen method does not apply.
+        """
         return Solution(self, digits, method, cells)
 
     def exponents(self, digits: int = 16) -> list[PossiblePoint]:
-        """Where the traction can be singular, and with which exponent: a list of PossiblePoint."""
+        """Returns the places where the traction can be singular, with the exponents: a list of PossiblePoint.
+
+        Raises InvalidData unless digits is 1 to 100.
+        """
         return [PossiblePoint(x, kind, side, _number(exponent, digits), symbolic)
                 for x, kind, side, exponent, symbolic in _core.exponents(self._core, digits)]
 
     def derivation(self) -> str:
-        """How the exponents come about, step by step, and the closed form where there is one."""
+        """Returns the derivation of the exponents, step by step, and of the closed form if there is one."""
         return _core.derivation(self._core)
 
     def __repr__(self):
@@ -268,7 +307,7 @@ class Problem:
 
 
 def _number(number, digits):
-    """What the library's (value, error, digits) is in Python."""
+    """Converts the library's (value, error, digits) to a Number, or to an mpmath number beyond 16 digits."""
     if number is None:
         return None
     value, error, text = number
@@ -279,9 +318,10 @@ def _number(number, digits):
 
 
 class Solution:
-    """A solved problem, or the best state that was reached. Numbers have their error: s.effective_friction.error.
+    """A solved problem, or the best state that the method reached. Numbers have errors: s.effective_friction.error.
 
-    Where functions of x have different limits on both sides, the larger one is told; at(x) has both.
+    If a function of x has two different limits at a place, traction(x), shear(x), gap(x) and slope(x) return the one of
+    larger size; at(x) returns both.
     """
 
     # Each resultant is also a property; they are set below the class.
@@ -309,7 +349,7 @@ class Solution:
         self.problem = problem
 
     def _numbers(self, value):
-        """All (value, error, digits) inside as numbers."""
+        """Converts each (value, error, digits) inside `value` to a number."""
         if isinstance(value, tuple) and len(value) == 3 and isinstance(value[2], str) and isinstance(value[0], float):
             return _number(value, self.digits)
         if isinstance(value, (tuple, list)):
@@ -318,7 +358,7 @@ class Solution:
 
     @property
     def digits(self) -> int:
-        """The digits that were asked for."""
+        """The digits that solve() was called with."""
         return self._options[0]
 
     @property
@@ -328,33 +368,33 @@ class Solution:
 
     @property
     def solved(self) -> bool:
-        """Do all conditions hold?"""
+        """True if all conditions of the problem hold."""
         return not self.failed_condition
 
     @property
     def failed_condition(self) -> str:
-        """What is violated, in words; empty where solved."""
+        """The violated condition in words; empty if solved."""
         return self._core.failed_condition
 
     @property
     def warnings(self) -> list[str]:
-        """What a person should know before it is used: the warnings of the command solve, a list of lines."""
+        """The warnings of the command solve, a list of lines. Read them before you use the solution."""
         return self._core.warnings()
 
     @property
     def contact(self) -> list[Contact]:
-        """The contact's components, left to right: a list of Contact."""
+        """The contact components from left to right, a list of Contact."""
         return [Contact(ContactEnd(*left), ContactEnd(*right), width, load)
                 for left, right, width, load in self._numbers(self._core.contact())]
 
     @property
     def singular_points(self) -> list[SingularPoint]:
-        """A list of SingularPoint, left to right."""
+        """The places where the traction is singular, from left to right, a list of SingularPoint."""
         return [SingularPoint(*point) for point in self._numbers(self._core.singular_points())]
 
     @property
     def unresolved_gaps(self) -> list[UnresolvedGap]:
-        """A list of UnresolvedGap, left to right; log10_length is an order of magnitude."""
+        """The gaps that are too short for the precision, from left to right, a list of UnresolvedGap."""
         return self._gaps(self._core.unresolved_gaps())
 
     def _gaps(self, gaps):
@@ -362,30 +402,36 @@ class Solution:
 
     @property
     def resultants(self) -> Resultants:
-        """Forces, widths, the largest pressure, shares of the load: Resultants. Each of them is an attribute, too."""
+        """All quantities of the whole contact: Resultants. Each of them is also an attribute of the solution.
+
+        Each attribute computes all of them. If you need several, read resultants once.
+        """
         made = {"Largest": LargestPressure, "Interval": Interval}
         values = self._numbers(self._core.resultants())
         return Resultants(*(made[kind](*value) if kind in made and value is not None else value
                             for (kind, _, _, _), value in zip(_core.quantities, values)))
 
     def at(self, x: Exact) -> Sample:
-        """All that is known of one place: a Sample."""
+        """Returns all quantities at one place: a Sample. Raises InvalidData if x is not a number."""
         return Sample(*self._numbers(self._core.at(_document.exact(x, "x"))))
 
     def traction(self, x: Places, errors: bool = False) -> Values:
-        """t <= 0 at x, a number or an array of them; with errors: (values, errors)."""
+        """Returns the normal traction t <= 0 at x: a number, or an array if x is one. With errors=True: (values, errors).
+
+        Raises InvalidData if a place is not a number.
+        """
         return self._at_places("traction", x, errors)
 
     def shear(self, x: Places, errors: bool = False) -> Values:
-        """The tangential traction along +x, as traction()."""
+        """Returns the tangential traction along +x, in the form of traction()."""
         return self._at_places("shear", x, errors)
 
     def gap(self, x: Places, errors: bool = False) -> Values:
-        """The gap, nan outside the support, as traction()."""
+        """Returns the gap, nan outside the support, in the form of traction()."""
         return self._at_places("gap", x, errors)
 
     def slope(self, x: Places, errors: bool = False) -> Values:
-        """u', as traction()."""
+        """Returns the slope u' of the surface, in the form of traction()."""
         return self._at_places("slope", x, errors)
 
     def _at_places(self, what, x, errors):
@@ -405,7 +451,11 @@ class Solution:
         return array.reshape(shape)
 
     def stress(self, x: Places, z: Places, errors: bool = False) -> Any:
-        """At points of the body, z > 0, numbers or arrays: a Stress; with errors: (values, errors)."""
+        """Returns a Stress at points of the body: numbers, or arrays if x or z is one. With errors=True: (values, errors).
+
+        z > 0 is the depth. The errors are a Stress, too. Raises InvalidData if x or z is not a number, if z <= 0, or if z
+        is too small for 16 digits.
+        """
         if self.digits <= 16:
             points, depths = np.broadcast_arrays(_floats(x, "x"), _floats(z, "z"))
             parts = self._core.stresses(points.ravel(), depths.ravel())
@@ -420,20 +470,29 @@ class Solution:
         return (Stress(*values), Stress(*wrong)) if errors else Stress(*values)
 
     def nodal_forces(self, nodes: Places, order: int = 1) -> NodalForces:
-        """Consistent nodal forces of the tractions on a mesh of the surface: NodalForces. order=2: quadratic elements, every
-        second node in the middle of one. Raises InvalidData where contact reaches beyond the mesh."""
+        """Returns the consistent nodal forces of the tractions on a mesh of the surface: NodalForces.
+
+        order=1: linear elements between the nodes. order=2: quadratic elements; every second node is in the middle of its
+        element. Raises InvalidData if the mesh is invalid, or if the contact reaches beyond the mesh.
+        """
         texts = [_document.exact(node, f"nodes[{k}]") for k, node in enumerate(np.asarray(nodes).ravel().tolist())]
         normal, tangential = zip(*self._numbers(self._core.nodal_forces(texts, order)))
         return NodalForces(*(self._array(list(forces), (len(texts),)) for forces in (normal, tangential)),
                            *(np.array([n.error for n in forces]) for forces in (normal, tangential)))
 
     def certify(self) -> Proof:
-        """Proves it in ball arithmetic, with a certificate for steadyslide-check: a Proof. Ten times a solve."""
+        """Tries to prove the solution in ball arithmetic, and returns a Proof with a certificate for steadyslide-check.
+
+        This takes about ten times as long as a solve.
+        """
         proved, reason, certificate, gaps = self._core.certify()
         return Proof(proved, reason, certificate, self._gaps(gaps))
 
     def plot(self, ax: Any = None) -> Any:
-        """Pressure and shear over x, with singular points marked, on matplotlib's axes, which are returned."""
+        """Draws pressure and shear over x, and marks the singular points. Returns matplotlib's axes.
+
+        ax: the axes to draw on; new ones by default.
+        """
         from . import _plot
         return _plot.plot(self, ax)
 
@@ -468,11 +527,17 @@ def _floats(values, field):
 
 def sweep(base: Problem, vary: Mapping[str, Sequence[Any]], columns: Iterable[str] = ("effective_friction",),
           executor: Executor | None = None, digits: int = 16, method: str = "auto", cells: int | None = None) -> np.ndarray:
-    """Solves every combination of varied data: a numpy structured array with one row each, the first varied datum slowest.
+    """Solves every combination of varied data. Returns a numpy structured array with one row for each combination.
 
-    vary: {"friction.values[1]": ["0.1", "0.2"], ...}, paths as in a problem file. columns: names of results,
-    "load_share[0]", "contact[0].left.x", "largest_pressure.value". The last column, failed_condition, is empty where
-    solved. executor: any of concurrent.futures; by default threads, one a core.
+    The first varied datum changes slowest. The columns are the varied data, the results in `columns`, and
+    failed_condition, which is empty if the problem was solved.
+
+    vary: {"friction.values[1]": ["0.1", "0.2"], ...}, paths in a problem file.
+    columns: names of results, "load_share[0]", "contact[0].left.x", "largest_pressure.value".
+    executor: one of concurrent.futures; by default threads, one for each core.
+
+    Raises InvalidData if vary or columns is wrong. A combination that is no valid problem is a row with the reason in
+    failed_condition.
     """
     from ._sweep import sweep as run
     return run(base, vary, columns, executor, digits, method, cells)

@@ -1,4 +1,4 @@
-"""Problem files as nested dicts: exact numbers as texts, and the text that says the same."""
+"""Problem files as nested dicts with exact numbers, and their conversion to text."""
 
 import json
 import re
@@ -10,7 +10,7 @@ from ._core import InvalidData
 
 
 def exact(value, field):
-    """The text of an exact number: a float is the decimal that it prints."""
+    """Returns the text of an exact number. A float stands for the decimal that it prints. Raises InvalidData."""
     if isinstance(value, str):
         return value
     if isinstance(value, Integral) and not isinstance(value, bool):
@@ -31,12 +31,12 @@ def quoted(text):
 
 
 def keyed(key):
-    """A key of TOML, which stands in quotes unless it is made of letters, digits, _ and -."""
+    """Returns a key of TOML, in quotes unless it consists of letters, digits, _ and -."""
     return key if re.fullmatch("[A-Za-z0-9_-]+", str(key)) else quoted(str(key))
 
 
 def toml(value, field=""):
-    """An inline value of a problem file; numbers are strings, so that they stay exact."""
+    """Returns an inline value of a problem file. Numbers become strings, so that they stay exact."""
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, dict):
@@ -48,12 +48,12 @@ def toml(value, field=""):
 
 
 def text_of(document):
-    """A problem file."""
+    """Returns the text of a problem file."""
     return "".join(f"{keyed(key)} = {toml(value, key)}\n" for key, value in document.items() if value is not None)
 
 
 def changed(document, path, value):
-    """Puts `value` at "friction.values[1]" into a document, in place."""
+    """Sets the datum at a path such as "friction.values[1]" in a document. Raises InvalidData if there is no such datum."""
     parts = [int(index) if index else key for key, index in re.findall(r"([^.\[\]]+)|\[(\d+)\]", path)]
     try:
         if not re.fullmatch(r"[^.\[\]]+(\[\d+\])*(\.[^.\[\]]+(\[\d+\])*)*", path):

@@ -1,15 +1,15 @@
-"""Numbers beyond double, for which mpmath is needed."""
+"""Numbers with more than 16 digits. They need mpmath."""
 
 import mpmath
 from mpmath import libmp
 
 
 class Number(mpmath.mpf):
-    """An mpmath number with its estimated absolute error; what is calculated with it has none."""
+    """An mpmath number with its estimated absolute error. The result of arithmetic with it has no error."""
 
     def __new__(cls, digits, error):
         number = object.__new__(cls)
-        # All digits, for any current precision of mpmath.
+        # Keeps all digits, whatever mpmath's current precision is.
         precision = 16 + int(3.33 * max(len(digits), 16))
         number._mpf_ = libmp.from_str(digits or "nan", precision, libmp.round_nearest)
         number.digits = digits

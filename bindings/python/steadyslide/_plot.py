@@ -1,4 +1,4 @@
-"""A solution drawn by matplotlib."""
+"""Draws a solution with matplotlib."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Many problems of one kind, one row each."""
+"""Solves many variants of a problem, one row each."""
 
 import itertools
 import os
@@ -13,7 +13,7 @@ from ._core import InvalidData
 
 
 def result(solution, column):
-    """What a column's name says: "contact[0].left.x"; nan where the solution has no such thing."""
+    """Returns the result that a column names, for example "contact[0].left.x"; nan if the solution has no such number."""
     value = solution
     for name, index in re.findall(r"([^.\[\]]+)|\[(\d+)\]", column):
         try:
@@ -34,7 +34,10 @@ def _named(value, name):
 
 
 def row(task):
-    """The results of one problem, and what failed: a function of its own, so that other processes can run it."""
+    """Returns the results of one problem, and its failed condition or the reason why it is no problem.
+
+    This is a function of the module, so that other processes can run it.
+    """
     base, changes, columns, options = task
     try:
         solution = base.with_(**changes).solve(*options)
@@ -44,7 +47,7 @@ def row(task):
 
 
 def column_of(values):
-    """Floats where all values are numbers, else objects."""
+    """Returns an array of floats if all values are numbers, and of objects otherwise."""
     try:
         return np.array([value if isinstance(value, float) else float(Fraction(str(value))) for value in values])
     except (ValueError, ZeroDivisionError):
@@ -54,7 +57,10 @@ def column_of(values):
 
 
 def values_of(path, values):
-    """A text, a table or a number is no list of values, though Python iterates over the first two."""
+    """Returns the values as a list. Raises InvalidData for a number, a text or a table.
+
+    Python iterates over texts and tables, too, but they are no lists of values.
+    """
     if isinstance(values, (str, bytes, Mapping)) or not isinstance(values, Iterable):
         raise InvalidData(f"vary: no list of values for {path}; each datum takes a list of them, like ['1', '2']; {values!r}")
     return list(values)

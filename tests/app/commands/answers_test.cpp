@@ -126,7 +126,7 @@ TEST_CASE("answers: the examples, solved") {
   CHECK(check_answers("solve", "example_answers.txt", STEADYSLIDE_EXAMPLES) >= 27);
 }
 
-TEST_CASE("control: another answer is noticed") {
+TEST_CASE("control: a wrong answer is noticed") {
   const Finished answer{0, "{\"a\":{\"b\":{\"value\":\"0.3\",\"error\":\"1\"}},\"c\":[1]}\n", ""};
   CHECK(is_so(answer, "/a/b ~ 0.31 +- 0.01"));
   for (const char* wrong :

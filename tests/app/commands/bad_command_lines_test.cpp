@@ -28,7 +28,7 @@ TEST_CASE("bad command lines: message, exit code, no output") {
   CHECK(folder.names() == std::vector<std::string>{"good.toml", "rough.csv", "rough.toml", "tilt.toml", "wedge.toml"});
 }
 
-TEST_CASE("help is complete at every level, and a result") {
+TEST_CASE("--help prints complete help at every level to the standard output") {
   check_holds(out_of(run_alone({"--help"})), {"verify", "exponents", "table", "solve", "design", "sweep", "figures",
                                               "report", "Units", "Signs", "Exit code"});
   for (const std::string command : {"verify", "exponents", "table", "solve", "design", "sweep", "figures", "report"}) {

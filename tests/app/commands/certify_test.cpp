@@ -21,7 +21,7 @@ int check_enclosed(const Json& proved, const Json& other) {
 
 }  // namespace
 
-TEST_CASE("a proved solution's numbers enclose those of other digits and of the solver") {
+TEST_CASE("the numbers of a proved solution enclose those with other digits and those of the solver") {
   for (const char* name : {"coated_punch", "parabola"}) {
     CAPTURE(name);
     const std::string problem = problem_text(name);
@@ -39,7 +39,7 @@ TEST_CASE("a proved solution's numbers enclose those of other digits and of the 
   }
 }
 
-TEST_CASE("digits shown are proved ones; a number that has none is shown with its error") {
+TEST_CASE("text shows proved digits, or a number with its error if none is proved") {
   const std::string text = output(problem_text("coated_punch"), {"--certify", "--digits", "60"});
   check_holds(text, {"\nproved: ", "relative errors, proved", "unique by theorem 1 of [Bal16]"});
   // More digits begin with the same digits.
@@ -66,7 +66,7 @@ TEST_CASE("a notch below its threshold: the gap of 1e-93 is proved, and has a ce
   CHECK(certificate["claims"] == Json::parse(R"({"exists": true, "unique_by_theorem_1": true})"));
 }
 
-TEST_CASE("what is not proved is printed as the solver has it, with the reason, exit code 1 and no certificate") {
+TEST_CASE("a solution that is not proved is printed with the reason, exit code 1 and no certificate") {
   const TemporaryFolder folder;
   // With this place of the load the far edge carries no pressure. This is an exact threshold, which cannot be proved.
   const Finished finished = folder.run(words("solve - --certificate none.json"), problem_text("edge_without_pressure"));
@@ -76,7 +76,7 @@ TEST_CASE("what is not proved is printed as the solver has it, with the reason, 
   CHECK(folder.names().empty());
 }
 
-TEST_CASE("loads are proved, and all loads between them") {
+TEST_CASE("load steps are proved, and all loads between them") {
   const Json rows = solve(problem_text("parabola"), words("--load-steps 0.5,1,2 --certify --digits 30"));
   std::string statuses;
   for (const Json& row : rows) {
@@ -88,7 +88,7 @@ TEST_CASE("loads are proved, and all loads between them") {
   CHECK(statuses == "0.5 0.5-1 1-2 ");
 }
 
-TEST_CASE("on cells load shares are enclosed, and the other method's lie there; where s falls nothing is proved") {
+TEST_CASE("on cells load shares are enclosed and agree with the other method; if s falls nothing is proved") {
   const Json proved = solve(problem_text("parabola"), {"--method", "variational", "--cells", "1024", "--certify"});
   const Json exact = solve(problem_text("parabola"));
   CHECK(proved["bound"]["status"] == "proved");
@@ -116,7 +116,7 @@ TEST_CASE("on cells load shares are enclosed, and the other method's lie there; 
   CHECK(certificate["claims"]["load_share"].size() == certificate["problem"]["friction"]["values"].size());
 }
 
-TEST_CASE("a certificate for all loads between two: boxes that follow each other; none over an event") {
+TEST_CASE("a certificate for an interval of loads has boxes without gaps, and there is none across an event") {
   const TemporaryFolder folder;
   const std::string parabola = problem_text("parabola"),
                     certify = "solve - --load-steps 0.5,1 --certificate loads.json";

@@ -1,6 +1,6 @@
 #include "app/json_answers.hpp"
 
-TEST_CASE("design: what its rows rest on are entries of the ledger") {
+TEST_CASE("design: its rows name entries of the ledger") {
   const Json ledger = json_of(run_alone(words("verify --group beyond --list --format json")));
   std::set<std::string> ids;
   for (const Json& claim : ledger.at("claims")) ids.insert(claim.at("id"));

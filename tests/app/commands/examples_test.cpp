@@ -39,7 +39,7 @@ TEST_CASE("every problem file: its command runs, its exponents are found, and it
   CHECK(count >= 6);
 }
 
-TEST_CASE("solved examples: effective friction is the sum of f times load share, residuals are small") {
+TEST_CASE("solved examples: effective friction is the sum of f times load share, and residuals are small") {
   for (const char* name : {"flat_punch.toml", "two_coatings_forward.toml", "two_coatings_backward.toml",
                            "three_jumps.toml", "parabola.toml", "parabola_rough_front.toml", "parabola_rough_rear.toml",
                            "nearly_incompressible.toml", "elastic_indenter.toml", "wedge.toml", "rounded_wedge.toml",
@@ -70,7 +70,7 @@ TEST_CASE("solved examples: effective friction is the sum of f times load share,
   }
 }
 
-TEST_CASE("the tilting punch lifts off under the load that its header says") {
+TEST_CASE("the tilting punch lifts off at the place of the load that its header gives") {
   const Finished lifted = run_other({"sed", "s/^load_at = .*/load_at = \"0.8\"/", "tilting_punch.toml"}, folder);
   const Json contact = solve(lifted.out)["contact"];
   REQUIRE(contact.size() == 1);

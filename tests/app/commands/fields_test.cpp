@@ -41,7 +41,7 @@ void check_same(const Json& a, const Json& b, double relative = 1e-15) {
 
 }  // namespace
 
-TEST_CASE("stresses at depths that double does not have are computed with more digits") {
+TEST_CASE("stresses at depths beyond the range of double are computed with more digits") {
   const auto stress_at = [](const std::string& depth) {
     const TemporaryFolder folder{{"p.toml", coated}, {"points.csv", "x,z\n0.1," + depth + "\n"}};
     const Finished finished = folder.run({"solve", "p.toml", "--format", "json", "--stress-at", "points.csv"});
@@ -57,7 +57,7 @@ TEST_CASE("stresses at depths that double does not have are computed with more d
   for (const int decade : {152, 154, 320, 397}) CHECK(factor(decade) == doctest::Approx(per_decade).epsilon(1e-10));
 }
 
-TEST_CASE("proved stresses, gradients and nodal forces are the estimated ones, within both errors") {
+TEST_CASE("proved stresses, gradients and nodal forces agree with the estimated ones within both errors") {
   const Json estimated = fields_of({}), proved = fields_of({"--certify"});
   check_same(estimated, proved);
   check_same(fields_of({"--method", "riemann-hilbert"}), proved);
@@ -68,7 +68,7 @@ TEST_CASE("proved stresses, gradients and nodal forces are the estimated ones, w
   CHECK(std::abs(real_at(heavier["stresses"][0], "szz") - real_at(proved["stresses"][0], "szz")) > 1e-4);
 }
 
-TEST_CASE("cells tell the same to a percent, with what they are worth as errors") {
+TEST_CASE("stresses on cells agree to a percent, and their errors have the right size") {
   const Json proved = fields_of({"--certify"}), cells = fields_of({"--method", "variational"});
   for (const std::size_t i : {0u, 2u}) {
     for (const char* key : {"sxx", "szz", "von_mises"}) {
@@ -106,7 +106,7 @@ TEST_CASE("the largest stress: its place, its depth, and where there is no bound
   CHECK(csv.starts_with("depth,von_mises,x,z,von_mises_error,x_error,z_error\n0.02,"));
 }
 
-TEST_CASE("with a proof the largest stress is a lower bound, and says so") {
+TEST_CASE("with a proof the text calls the largest stress a lower bound") {
   // The largest stress below the middle of a smooth contact without friction, at the surface under friction, and beside
   // edges.
   const std::string smooth =

@@ -24,7 +24,7 @@ TEST_CASE("under a parabola the ends move outwards with the load, also where it 
   CHECK(json[29]["left_kind"] == "edge");
 }
 
-TEST_CASE("each row is what a single solve says, whatever came before") {
+TEST_CASE("each row has the results of a single solve, for every order of the loads") {
   for (const auto& [digits, loads, count, tolerance] :
        {std::tuple("16", "1,0.3,0.77,0.9", 4U, "1e-12"), {"30", "1,0.3", 2U, "1e-28"}}) {
     std::map<std::string, std::vector<Json>> by_load;
@@ -51,7 +51,7 @@ TEST_CASE("each row is what a single solve says, whatever came before") {
   }
 }
 
-TEST_CASE("a bar on a terminal, gone at the end; nothing elsewhere") {
+TEST_CASE("a progress bar is shown on a terminal only, and erased at the end") {
   const TemporaryFolder folder;
   const Arguments arguments{"solve", "-", "--load-steps", "0.5,1", "-o", "rows"};
   const Finished shown = run_on_terminal(arguments, folder.path(), bumps);

@@ -34,7 +34,7 @@ std::set<std::string> offered(const TemporaryFolder& folder, const std::string& 
 
 }  // namespace
 
-TEST_CASE("the manual page has every command, its options and what stands below them") {
+TEST_CASE("the manual page has every command, its options and the text below them") {
   const std::string page = out_of(run_alone({"--generate", "man"}));
   CHECK(page.starts_with(".TH STEADYSLIDE 1 \"\" \"steadyslide " STEADYSLIDE_VERSION "\""));
   std::string plain = std::regex_replace(page, std::regex("\\\\f[BIR]"), "");
@@ -69,7 +69,7 @@ TEST_CASE("the manual page has every command, its options and what stands below 
   }
 }
 
-TEST_CASE("bash completes commands, options, and the words that an option takes") {
+TEST_CASE("bash completes commands, options, and the values of an option") {
   const TemporaryFolder folder{{"completion", out_of(run_alone({"--generate", "bash"}))}};
   std::set<std::string> first(command_names.begin(), command_names.end());
   first.insert({"--help", "--version", "--generate"});

@@ -20,7 +20,7 @@ const Arguments long_solve = joined({"solve", STEADYSLIDE_EXAMPLES "/rough_surfa
 
 }  // namespace
 
-TEST_CASE("-o writes what the standard output would get, replaces, and leaves nothing else") {
+TEST_CASE("-o writes the text of the standard output, replaces the file, and leaves no other file") {
   const TemporaryFolder folder;
   const std::string plain = out_of(folder.run(small_table));
   folder.write("result", std::string(100000, 'x'));
@@ -31,7 +31,7 @@ TEST_CASE("-o writes what the standard output would get, replaces, and leaves no
   CHECK(folder.names() == std::vector<std::string>{"result"});
 }
 
-TEST_CASE("a new file has the permissions of new files; a link stays, its file is replaced; devices are written") {
+TEST_CASE("-o keeps the permissions of new files, keeps a link and replaces its file, and writes to devices") {
   const TemporaryFolder folder{{"target", "earlier"}};
   fs::create_symlink("target", folder.path() / "link");
   for (const char* file : {"result", "link", "/dev/null"}) CHECK(folder.run(into(file)).code == 0);
@@ -43,7 +43,7 @@ TEST_CASE("a new file has the permissions of new files; a link stays, its file i
   CHECK(fs::is_character_file("/dev/null"));
 }
 
-TEST_CASE("what cannot be read or written is exit code 3") {
+TEST_CASE("a file that cannot be read or written gives exit code 3") {
   const TemporaryFolder folder;
   fs::create_directory(folder.path() / "folder");
   for (const auto& [arguments, message] : std::vector<std::pair<Arguments, std::string>>{
@@ -57,14 +57,14 @@ TEST_CASE("what cannot be read or written is exit code 3") {
   CHECK(folder.names() == std::vector<std::string>{"folder"});
 }
 
-TEST_CASE("a standard error that cannot be written changes no exit code") {
+TEST_CASE("the exit code does not change if the standard error cannot be written") {
   const TemporaryFolder folder;
   const Arguments without_stderr{"sh", "-c", "exec \"$@\" 2> /dev/full", "sh"};
   CHECK(run_program_by(without_stderr, {"solve", "none.toml"}, folder.path()).code == 3);
   CHECK(run_program_by(without_stderr, {"solve"}, folder.path()).code == 2);
 }
 
-TEST_CASE("no input is a pipe or a device, the standard input excepted") {
+TEST_CASE("no input is a pipe or a device, except for the standard input") {
   const TemporaryFolder folder;
   REQUIRE(::mkfifo((folder.path() / "pipe").c_str(), 0600) == 0);
   const std::string problem =
@@ -90,7 +90,7 @@ TEST_CASE("no input is a pipe or a device, the standard input excepted") {
   for (const char* input : {"-", "/dev/stdin"}) CHECK(out_of(folder.run({"solve", input}, problem)) != "");
 }
 
-TEST_CASE("a file without write permission is left alone") {
+TEST_CASE("a file without write permission is not changed") {
   if (::geteuid() == 0) return;  // root may write everywhere
   const TemporaryFolder folder{{"result", "earlier"}};
   fs::permissions(folder.path() / "result", fs::perms(0440));
@@ -107,7 +107,7 @@ TEST_CASE("a full device and a closed pipe are failures") {
   }
 }
 
-TEST_CASE("an interrupted run leaves no file and says 130") {
+TEST_CASE("an interrupted run leaves no file and has exit code 130") {
   for (const int signal : {SIGINT, SIGTERM}) {
     const TemporaryFolder folder{{"result", "earlier"}};
     const Finished finished = run_and_interrupt(
@@ -119,7 +119,7 @@ TEST_CASE("an interrupted run leaves no file and says 130") {
   }
 }
 
-TEST_CASE("interrupted after a second, a solve leaves no file, or the old one as it was") {
+TEST_CASE("a solve that is interrupted after a second leaves no file, or leaves the old one unchanged") {
   for (const char* earlier : {"", "earlier"}) {
     const TemporaryFolder folder;
     if (*earlier != '\0') folder.write("result", earlier);

@@ -40,7 +40,7 @@ struct Coulomb {
 
 }  // namespace
 
-TEST_CASE("the rough surface is what its generator prints") {
+TEST_CASE("the stored rough surface is the output of its generator") {
   const std::string stored = stored_trace();
   const auto generated = [](const Arguments& parameters) {
     return run_other(joined({STEADYSLIDE_ROUGH_SURFACE}, parameters), STEADYSLIDE_EXAMPLES);
@@ -62,7 +62,7 @@ TEST_CASE("the rough surface is what its generator prints") {
   }
 }
 
-TEST_CASE("the rough surface has its roughness and its waves") {
+TEST_CASE("the rough surface has the requested roughness and wavelengths") {
   const std::vector<double> trace = numbers(stored_trace());
   const std::size_t intervals = trace.size() / 2 - 1;
   // One period: the last point equals the first one.

@@ -24,7 +24,7 @@ int check_errors(const Json& json, const Json& reference) {
 
 }  // namespace
 
-TEST_CASE("data that double cannot hold are solved all the same") {
+TEST_CASE("data beyond the range of double are solved") {
   const Json json = solve(replaced(punch, "load = 2", "load = \"2e-300\""), {"--at", "0.5"});
   const Json usual = solve(punch, {"--at", "0.5"});
   CHECK(near(json["resultants"]["normal"], "2e-300", "1e-312"));
@@ -32,7 +32,7 @@ TEST_CASE("data that double cannot hold are solved all the same") {
   CHECK(abs(scaled - number(usual["samples"][0]["traction"])) < 1e-13_r);
 }
 
-TEST_CASE("every number has its error beside it; it is the error of what is printed") {
+TEST_CASE("every number has its error beside it, which is the error of the printed number") {
   for (const std::string& problem : {punch, parabola}) {
     const Json json = solve(problem, {"--at=-1,0,0.1,2", "--samples", "3"});
     const Json exact = solve(problem, {"--at=-1,0,0.1,2", "--samples", "3", "--digits", "40"});
@@ -60,7 +60,7 @@ TEST_CASE("16 digits give the doubles back: |shear| is f |traction| to the last 
   }
 }
 
-TEST_CASE("what does not converge is written all the same") {
+TEST_CASE("a result that does not converge is written") {
   const TemporaryFolder folder;
   const Finished json = folder.run({"solve", "-", "--method", "riemann-hilbert", "--format", "json", "-o", "result"},
                                    problem_text("tiny_step"));
@@ -85,7 +85,7 @@ TEST_CASE("tilt: only with load_at, and the pressure's centre lies under the loa
   }
 }
 
-TEST_CASE("of many load shares the text has ten, other formats all") {
+TEST_CASE("text shows ten of many load shares, other formats show all") {
   const auto coatings = [](int values) {
     std::string friction = "0.1", jumps;
     for (int k = 1; k < values; ++k) {

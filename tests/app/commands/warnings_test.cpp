@@ -37,7 +37,7 @@ bool has(const Json& warnings, const char* part) { return holds(warnings.dump(),
 
 }  // namespace
 
-TEST_CASE("a trace as it should be: nothing is said") {
+TEST_CASE("a good trace has no warning") {
   const Answer answer = solve_trace(bowl);
   CHECK(answer.code == 0);
   CHECK(answer.err == "");
@@ -45,7 +45,7 @@ TEST_CASE("a trace as it should be: nothing is said") {
   CHECK(answer.json["uniqueness"]["status"] == "unique by theorem 1 of [Bal16]");
 }
 
-TEST_CASE("the sign turned: contact in the last sliver of the support") {
+TEST_CASE("heights of the wrong sign: the warning names contact in the last 1 % of the support") {
   for (const double tilt : {0.0, 0.1}) {
     CAPTURE(tilt);
     const Answer answer = solve_trace([tilt](double x) { return -bowl(x) + tilt * x; });
@@ -57,7 +57,7 @@ TEST_CASE("the sign turned: contact in the last sliver of the support") {
   }
 }
 
-TEST_CASE("cut off too early: contact at the end of the trace, and elsewhere too") {
+TEST_CASE("a trace that is cut too early: the warning names contact at its end") {
   const Answer answer = solve_trace([](double x) { return bowl(x) - 0.6 * x; });
   CHECK(answer.code == 0);
   REQUIRE(answer.json["warnings"].size() == 1);
@@ -66,7 +66,7 @@ TEST_CASE("cut off too early: contact at the end of the trace, and elsewhere too
         "may go on; x = 1\n");
 }
 
-TEST_CASE("heights in micrometres beside x in millimetres: a contact of one cell is no solution") {
+TEST_CASE("heights in the wrong unit: a contact of one cell is no solution") {
   const Answer answer = solve_trace(in_micrometres);
   CHECK(answer.code == 1);
   CHECK(has(answer.json["warnings"], "ends of contact: large estimated error; more than 10 % of the contact's length"));
@@ -76,7 +76,7 @@ TEST_CASE("heights in micrometres beside x in millimetres: a contact of one cell
   CHECK(last.ends_with(" % of the contact's length; what was reached is printed\n"));
 }
 
-TEST_CASE("a notch pressed so hard that its gap has no number: its order of magnitude is told") {
+TEST_CASE("the warning for a gap that is too short for its numbers gives its order of magnitude") {
   const Finished finished = run_program({"solve", "-", "--format", "json"}, ".", problem_text("pressed_notch"));
   CHECK(finished.code == 0);
   const Json json = Json::parse(finished.out);
@@ -89,7 +89,7 @@ TEST_CASE("a notch pressed so hard that its gap has no number: its order of magn
   CHECK(holds(certified.out + certified.err, "not proved"));
 }
 
-TEST_CASE("loads one after the other, and a search: each says whose warning it is") {
+TEST_CASE("warnings of load steps and of a search name the load or the solution") {
   const auto turned = [](double x) { return -bowl(x) + 0.1 * x; };
   const Answer steps = solve_trace(turned, {"--load-steps", "0.01,0.02"});
   CHECK(steps.code == 0);

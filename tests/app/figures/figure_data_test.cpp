@@ -8,7 +8,7 @@
 
 using namespace steadyslide::app;
 
-TEST_CASE("the pressures under flat punches are those of solve; cells agree") {
+TEST_CASE("the pressures under flat punches agree with solve, also on cells") {
   const std::vector<Series>& series = made("flat-punch").panels.front().series;
   check_curve(series[0], {"0.2", "0", ""});
   check_curve(series[2], {"0.2", "0.3", ""});
@@ -35,7 +35,7 @@ TEST_CASE("the pressures under flat punches are those of solve; cells agree") {
   CHECK(highest(falling[0]) < 0.5);
 }
 
-TEST_CASE("the parabola is that of solve and of Galin") {
+TEST_CASE("the parabola agrees with solve and with Galin's formula") {
   const Figure& figure = made("parabola");
   const double a = angle_of_friction(0.5), load = 0.02;
   // c = 2: R of the reduced profile is 2.
@@ -55,7 +55,7 @@ TEST_CASE("the parabola is that of solve and of Galin") {
   }
 }
 
-TEST_CASE("tractions on the body are those of solve, lengths and angles to scale") {
+TEST_CASE("tractions on the body agree with solve, with lengths and angles to scale") {
   const Figure& figure = made("reactions");
   for (const int f : {0, 1}) {
     const Panel& panel = figure.panels[static_cast<std::size_t>(f)];
@@ -76,7 +76,7 @@ TEST_CASE("tractions on the body are those of solve, lengths and angles to scale
   }
 }
 
-TEST_CASE("local forms have the derived slopes, and cells read the same") {
+TEST_CASE("local forms have the derived slopes, also on cells") {
   const Figure& figure = made("local-forms");
   const double a = angle_of_friction(0.375), beta = angle_of_friction(0.0375) - a;
   const double weak[] = {0.5 - a, 0.5 + a, -beta};
@@ -98,7 +98,7 @@ TEST_CASE("local forms have the derived slopes, and cells read the same") {
   CHECK(factor == doctest::Approx(2 / 1.92 / (1 + 0.375 * 0.375)).epsilon(1e-3));
 }
 
-TEST_CASE("contact zones are those of solve, and end b moves as derived") {
+TEST_CASE("contact zones agree with solve, and end b moves as derived") {
   const Figure& figure = made("contact-load");
   const std::vector<Series>& one = figure.panels[0].series;
   const double c = 2 * (1 - 0.09), gamma = 2.0 / 7;
@@ -131,7 +131,7 @@ TEST_CASE("contact zones are those of solve, and end b moves as derived") {
   CHECK(std::abs(inner - figure.panels[1].series[3].points.back().y) < 0.01);
 }
 
-TEST_CASE("effective friction is that of solve, not the mean") {
+TEST_CASE("effective friction agrees with solve, and not with the mean") {
   const Figure& figure = made("effective-friction");
   for (const std::size_t direction : {0, 1}) {
     const Point& p = figure.panels[0].series[2 * direction].points[60];
@@ -192,7 +192,7 @@ TEST_CASE("the stress map reaches the tractions at the surface") {
   }
 }
 
-TEST_CASE("layouts of coatings are those of solve and of design, and the order is that of the last periods") {
+TEST_CASE("layouts of coatings agree with solve and with design, and the order is that of the last periods") {
   const Figure& figure = made("coating-layouts");
   const std::vector<Series>& curves = figure.panels[0].series;
   REQUIRE(curves.size() == 8);

@@ -73,7 +73,7 @@ TEST_CASE("--data writes tables, --format other pictures") {
   CHECK_FALSE(std::filesystem::exists(folder.path() / "new"));
 }
 
-TEST_CASE("the copies in docs/ are what the program draws") {
+TEST_CASE("the copies in docs/ equal the figures that the program draws") {
   for (const char* name : {"sketch", "friction-direction"}) {
     const std::string copy = file_text(STEADYSLIDE_DOCS "/" + std::string(name) + ".svg");
     CHECK_MESSAGE((copy == draw(made(name)).picture), "steadyslide figures -o docs --figure ", name);

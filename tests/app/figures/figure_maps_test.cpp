@@ -46,7 +46,7 @@ bool has_note(const Panel& panel, const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("the sketch's contact is that of solve, and the surface lies below the indenter beside it") {
+TEST_CASE("the sketch has the contact of solve, and the surface beside it lies below the indenter") {
   const Panel& panel = made("sketch").panels.front();
   CHECK(panel.bare);
   const double left = panel.guides[5].from.x, right = panel.guides[6].from.x;
@@ -66,8 +66,7 @@ TEST_CASE("the sketch's contact is that of solve, and the surface lies below the
   CHECK(panel.series[4].points.front().x == doctest::Approx(0.2));
 }
 
-TEST_CASE(
-    "the map of exponents is that of `exponents`, signed, 0 without a jump, and its labels are on their contours") {
+TEST_CASE("the map of exponents agrees with `exponents`, is 0 without a jump, and has its labels on their contours") {
   const Panel& panel = made("jump-exponent").panels.front();
   const HeatMap& map = *panel.map;
   CHECK(map.from == -map.to);
@@ -89,7 +88,7 @@ TEST_CASE(
   CHECK(check_labels(made("jump-exponent"), beta) == map.contours.size());
 }
 
-TEST_CASE("two zones and one are those of solve") {
+TEST_CASE("the figures of two zones and of one agree with solve") {
   const Figure& figure = made("two-zones");
   const std::vector<Series>& surfaces = figure.panels[0].series;
   const std::vector<Series>& curves = figure.panels[1].series;
@@ -111,7 +110,7 @@ TEST_CASE("two zones and one are those of solve") {
       has_note(figure.panels[1], "β = " + decimal(angle_of_friction(0.1 * 2 / 7) - angle_of_friction(0.7 * 2 / 7), 4)));
 }
 
-TEST_CASE("the rough surface is that of its example") {
+TEST_CASE("the rough surface agrees with its example") {
   const Figure& figure = made("rough-surface");
   const std::vector<Point>& curve = figure.panels[1].series[0].points;
   std::vector<double> x, drawn;
@@ -135,7 +134,7 @@ TEST_CASE("the rough surface is that of its example") {
   }
 }
 
-TEST_CASE("the largest stress is where solve finds it, and contours carry their numbers") {
+TEST_CASE("the largest stress is at the place that solve finds, and contours have their values as labels") {
   const Figure& parabola = made("stress-parabola");
   const std::string text =
       output(GivenProblem{"0.3", "0.2", "", "x^2/2", "0.02"}.toml(), {"--max-stress", "--format", "json"});
@@ -167,7 +166,7 @@ TEST_CASE("the largest stress is where solve finds it, and contours carry their 
         }) >= 6);
 }
 
-TEST_CASE("friction by direction is that of solve, and its marks that of halves") {
+TEST_CASE("friction by direction agrees with solve, and its marks are those of two equal coatings") {
   const Panel& panel = made("friction-direction").panels.front();
   for (const std::size_t k : {0, 1}) {
     const Point& p = panel.series[2 * k].points[30];
@@ -179,7 +178,7 @@ TEST_CASE("friction by direction is that of solve, and its marks that of halves"
   CHECK_FALSE(has_note(panel, "0.300"));
 }
 
-TEST_CASE("exponents beside the pressures are the formulas'") {
+TEST_CASE("the exponents beside the pressures agree with the formulas") {
   const auto text = [](const std::string& symbol, double value) { return symbol + " = " + decimal(value, 4); };
   const Panel& uniform = made("flat-punch").panels.front();
   for (const double f : {0.0, 0.3, 1.0}) {

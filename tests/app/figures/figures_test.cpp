@@ -53,7 +53,7 @@ Finished with_path(const std::string& path, const std::filesystem::path& folder)
 
 }  // namespace
 
-TEST_CASE("every figure is written, whole, the same each time, and shows its title, axes with units, legend, command") {
+TEST_CASE("every figure is complete, the same each time, and shows title, axes with units, legend and command") {
   const TemporaryFolder folder;
   CHECK(out_of(folder.run({"figures", "-o", "new/folder"})) == "");
   REQUIRE(figures().size() == 17);
@@ -99,7 +99,7 @@ TEST_CASE("every figure is written, whole, the same each time, and shows its tit
   CHECK_FALSE(has_unit("pressure"));
 }
 
-TEST_CASE("some figures, by patterns; none is an error") {
+TEST_CASE("patterns select figures") {
   const TemporaryFolder folder;
   CHECK(folder.run({"figures", "--figure", "friction-jump-*", "--figure", "parabol?"}).code == 0);
   CHECK(folder.names() == words("friction-jump-falling.svg friction-jump-rising.svg parabola.svg"));
@@ -108,7 +108,7 @@ TEST_CASE("some figures, by patterns; none is an error") {
   for (const FigureMaker& maker : figures()) CHECK(holds(help.out, "  " + maker.name + "\n"));
 }
 
-TEST_CASE("one at a time or several: the same bytes") {
+TEST_CASE("figures are the same to the byte for every number of jobs") {
   const TemporaryFolder folder;
   const auto drawn_by = [&](const std::string& jobs) {
     const auto out = folder.path() / jobs;
@@ -123,7 +123,7 @@ TEST_CASE("one at a time or several: the same bytes") {
   CHECK((drawn_by("50") == one));
 }
 
-TEST_CASE("without gnuplot: one clear line and nothing written") {
+TEST_CASE("without gnuplot there is one line of error and no file") {
   const TemporaryFolder folder;
   check_refused(with_path("", folder.path()),
                 "gnuplot: not found; figures are drawn by gnuplot 5.4 or later (Debian's package gnuplot-nox)", 3);
@@ -137,7 +137,7 @@ TEST_CASE("without gnuplot: one clear line and nothing written") {
   CHECK(folder.names() == std::vector<std::string>{"gnuplot"});
 }
 
-TEST_CASE("what cannot be written leaves nothing") {
+TEST_CASE("a figure that cannot be written leaves no file") {
   const TemporaryFolder folder{{"file", "kept"}};
   const auto draws_into = [&](const std::string& name) {
     return folder.run({"figures", "-o", name, "--figure", "parabola"});

@@ -197,7 +197,7 @@ TEST_CASE("the curves are the samples of the result, for every method") {
   }
 }
 
-TEST_CASE("a picture has the numbers of a far and a small problem") {
+TEST_CASE("a picture shows a problem far from zero and a very small problem in full size") {
   for (const std::string indenter :
        {"load = 0.1\nindenter = {support = [999999, 1000001], profile = '(x-1000000)^2/2'}\n",
         "load = '1e-12'\nindenter = {support = ['-1e-9', '1e-9'], profile = '1e8*x^2'}\n"}) {
@@ -217,7 +217,7 @@ TEST_CASE("a picture has the numbers of a far and a small problem") {
   }
 }
 
-TEST_CASE("PDF and PNG are drawn, by the ending of the name") {
+TEST_CASE("--plot draws PDF or PNG by the ending of the name") {
   const TemporaryFolder folder;
   for (const auto& [file, magic] : {std::pair("p.pdf", "%PDF-"), {"p.png", "\x89PNG\r\n\x1a\n"}}) {
     const std::string picture = (folder.path() / file).string();
@@ -229,7 +229,7 @@ TEST_CASE("PDF and PNG are drawn, by the ending of the name") {
   CHECK(folder.read("p.png").substr(16, 8) == std::string("\0\0\x06\x40\0\0\x04\xd8", 8));
 }
 
-TEST_CASE("what is not solved is drawn as that, a trace as far as it is seen") {
+TEST_CASE("a picture says that a problem is not solved, and shows the part of a trace around the contact") {
   const TemporaryFolder folder;
   const std::string picture = (folder.path() / "p.svg").string();
   CHECK(run_example("rough_surface.toml", {"--plot", picture}).code == 0);
@@ -239,7 +239,7 @@ TEST_CASE("what is not solved is drawn as that, a trace as far as it is seen") {
   check_holds(shown_text(folder.read("p.svg")), {"NOT SOLVED: two_bumps.toml"});
 }
 
-TEST_CASE("without a picture nothing is solved, and nothing is left behind") {
+TEST_CASE("if the picture cannot be written, nothing is solved and no file is left") {
   const TemporaryFolder folder;
   const auto refused = [&](const Arguments& plot, const std::string& message, int code) {
     check_refused(folder.run(joined({"solve", STEADYSLIDE_EXAMPLES "/parabola.toml"}, plot)), message, code);

@@ -97,7 +97,7 @@ TEST_CASE("formulas and their MathML") {
   for (const auto& [formula, xml] : table.items()) CHECK_MESSAGE(bare(formula) == xml, formula);
 }
 
-TEST_CASE("docs/theory.md: every formula in the table of notations is one") {
+TEST_CASE("docs/theory.md: every formula in the table of notations can be read") {
   const std::string text = file_text(STEADYSLIDE_DOCS "/theory.md");
   const std::string_view table = steadyslide::proofs_checks::section_of(text, "## Formulas in text");
   std::size_t examples = 0;
@@ -117,14 +117,14 @@ TEST_CASE("docs/theory.md: every formula in the table of notations is one") {
   CHECK(examples > 50);
 }
 
-TEST_CASE("a long formula may break before relations and sums, and loses nothing by it") {
+TEST_CASE("a long formula may break before relations and sums, and keeps all its letters") {
   const std::string formula = "b(t,t) = -(1/pi) <<t * log|x|, t>> + (1/2) sum_k (s_k - s_{k-1}) T(c_k)^2";
   const std::string xml = *mathml(formula);
   CHECK(times(xml, "<math>") == 3);
   CHECK(letters_of(text_of(xml)) == expected_letters(formula));
 }
 
-TEST_CASE("what is no formula is shown as it is") {
+TEST_CASE("text that is no formula is shown as it is") {
   for (const char* text :
        {"", "((", "x^", "a /", "/ 2", "--claim", "app/a.cpp", "x]", "%", "ψ", "a_{", "x^{}", "|x", "'"}) {
     CAPTURE(text);
@@ -140,12 +140,12 @@ TEST_CASE("what is no formula is shown as it is") {
   CHECK_FALSE(mathml(std::string(100000, '-')).has_value());
 }
 
-TEST_CASE("a number too long to be read is cut, and behind it is the whole") {
+TEST_CASE("a long number is cut, and its title has all digits") {
   CHECK(*mathml("0.09688167321743") == "<math><mn title=\"0.09688167321743\">0.0968816…</mn></math>");
   CHECK(*mathml("0.096881673217") == "<math><mn>0.096881673217</mn></math>");
 }
 
-TEST_CASE("formulas between backticks in a line of HTML") {
+TEST_CASE("formulas between backticks become plain HTML in one line") {
   for (const auto& [words, html] : std::vector<std::pair<std::string, std::string>>{
            {"the sign of `alpha` exchanged", "the sign of <i>α</i> exchanged"},
            {"difference `1.0e-44` at `nu = 1/3`, `f = 2`",
@@ -168,7 +168,7 @@ TEST_CASE("formulas between backticks in a line of HTML") {
   CHECK(holds(prose("`A punch-any-jumps = 0`"), "<mi>punch-any-jumps</mi>"));
 }
 
-TEST_CASE("formulas by the rules are typeset, well-formed, and lose no letter") {
+TEST_CASE("random formulas are typeset as well-formed XML and keep all their letters") {
   CHECK(rc::check("random formulas", [] {
     const std::string formula = random_formula(2);
     RC_LOG() << formula << "\n";
@@ -179,7 +179,7 @@ TEST_CASE("formulas by the rules are typeset, well-formed, and lose no letter") 
   }));
 }
 
-TEST_CASE("whatever stands between the backticks, the page is well-formed") {
+TEST_CASE("the page is well-formed for any text between the backticks") {
   const std::vector<std::string> parts{"x",    "alpha", "_bar", "'",  "_",  "^",   "{",   "}", "(",  ")",
                                        "[",    "]",     "|",    "<<", ">>", "/",   "+",   "-", "+-", "*",
                                        "=",    "<=",    "<",    " ",  "12", ",",   "cos", "&", "\"", "\x01",
@@ -197,7 +197,7 @@ TEST_CASE("whatever stands between the backticks, the page is well-formed") {
   CHECK(typeset > 0);
 }
 
-TEST_CASE("control: the check of well-formedness refuses what is not") {
+TEST_CASE("control: the check of well-formedness refuses bad XML") {
   for (const char* bad :
        {"<a><b></a></b>", "<a>", "</a>", "a & b", "a < b", "<a x=\"<\"></a>", "<a x=y/>", "<a x/>", "&nbsp;"}) {
     CAPTURE(bad);

@@ -33,12 +33,12 @@ TEST_CASE("bad input leaves the result of an earlier run alone") {
   CHECK(folder.read("result") == "earlier");
 }
 
-TEST_CASE("the standard input is called -") {
+TEST_CASE("messages name the standard input -") {
   check_refused(run_alone({"exponents", "-"}, replaced(good, "\"1\"", "0")),
                 "-:1: load: load out of range; the load is positive; 0");
 }
 
-TEST_CASE("files with what every file may have are read") {
+TEST_CASE("CRLF, a byte order mark and a missing last line end are allowed") {
   const std::string plain = out_of(run_alone({"exponents", "-"}, good));
   const std::string crlf = std::regex_replace(good, std::regex("\n"), "\r\n");
   for (const std::string& same : {crlf, "\xef\xbb\xbf" + good, good.substr(0, good.size() - 1)}) {

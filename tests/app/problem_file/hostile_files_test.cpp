@@ -54,12 +54,12 @@ Finished run_with_trace(const std::string& trace) {
 
 }  // namespace
 
-TEST_CASE("ten megabytes of noise") {
+TEST_CASE("ten megabytes of noise are refused") {
   check_refused(noise(""), "f.toml:");
   check_refused(noise("ab.=[]{}\"'#,10\n -"), "f.toml:");
 }
 
-TEST_CASE("a million jumps") {
+TEST_CASE("a million jumps are refused") {
   std::string friction = "values = [";
   for (int k = 0; k <= 1000000; ++k) friction += "0.1,";
   friction += "]\njumps = [";
@@ -68,7 +68,7 @@ TEST_CASE("a million jumps") {
                 "f.toml:5: too many values; a problem file has at most 200000 keys and values; more\n");
 }
 
-TEST_CASE("as many friction values as there may be, and one more") {
+TEST_CASE("the largest number of friction values is accepted, and one more is refused") {
   const auto problem = [](int values) {
     std::string friction = "values = [";
     for (int k = 0; k < values; ++k) friction += "\"" + std::to_string(k % 7) + "e-1\",";
@@ -81,7 +81,7 @@ TEST_CASE("as many friction values as there may be, and one more") {
                 "f.toml:5: friction.values: too many entries; there are at most 90000; 90001 entries\n");
 }
 
-TEST_CASE("deep nesting, long keys, long strings, nothing but NUL") {
+TEST_CASE("deep nesting, long keys, long strings and NUL bytes are refused") {
   for (const char* open : {"[", "{a="}) {
     check_refused("a = " + repeated(open, ten_megabytes), "f.toml:1: nested too deep;");
   }
@@ -101,7 +101,7 @@ TEST_CASE("deep nesting, long keys, long strings, nothing but NUL") {
   check_refused(std::string(65 << 20, ' '), "f.toml:1: file too large; a problem file has at most 64 MiB;");
 }
 
-TEST_CASE("profiles that grow") {
+TEST_CASE("profiles with too large polynomials are refused") {
   const std::string friction = "values = [0.1]\n";
   check_refused(problem_with(friction, "profile = \"((((1e400)^64)^64)^64)*x\"\n"),
                 "f.toml:7: indenter.profile: coefficient too large at character 11;");
@@ -125,7 +125,7 @@ TEST_CASE("the most complicated pieces that are accepted do not take long") {
   out_of(run_limited(problem_with("values = [0.1]\n", pieces + "]\n")));
 }
 
-TEST_CASE("traces of ten megabytes that nobody measured") {
+TEST_CASE("traces of ten megabytes of noise are refused") {
   const auto refused = [](const std::string& trace, const char* why) {
     check_refusal(run_with_trace(trace), std::string("t.csv:") + why);
   };
@@ -141,7 +141,7 @@ TEST_CASE("traces of ten megabytes that nobody measured") {
   refused(std::string(65 << 20, '\n'), "1: file too large; a trace has at most 64 MiB; more\n");
 }
 
-TEST_CASE("a trace whose exact heights would fill the memory") {
+TEST_CASE("a trace whose exact heights would fill the memory is refused") {
   std::string trace;
   for (int k = 0; trace.size() < ten_megabytes; ++k) {
     trace += std::to_string(k) + (k % 2 == 0 ? ",1e-400\n" : ",1e400\n");
@@ -149,7 +149,7 @@ TEST_CASE("a trace whose exact heights would fill the memory") {
   check_refusal(run_with_trace(trace), "t.csv:124917: trace too complicated; all numbers together are limited in ");
 }
 
-TEST_CASE("a trace of a hundred thousand points with all digits of a double") {
+TEST_CASE("a trace of a hundred thousand points with all digits of a double is read") {
   std::mt19937_64 generator(1);
   const auto digits = [&] { return std::to_string(generator() % 90000000000000000 + 10000000000000000); };
   std::string trace = "x,psi\n";

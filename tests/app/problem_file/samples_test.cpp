@@ -41,7 +41,7 @@ TEST_CASE("jumps lie within the trace") {
                 "-:6: friction.jumps[0]: jump outside the support; jumps lie in ]1, 2[; 0");
 }
 
-TEST_CASE("a flat trace, however many its points, is a flat punch") {
+TEST_CASE("a flat trace with any number of points is a flat punch") {
   std::string flat;
   for (int k = -50; k <= 50; ++k) flat += std::to_string(k) + "e-2,0\n";
   const TemporaryFolder folder{{"trace.csv", flat}};
@@ -50,7 +50,7 @@ TEST_CASE("a flat trace, however many its points, is a flat punch") {
   CHECK(samples.out == run(problem("support = [-0.5, 0.5]\nprofile = 0")).out);
 }
 
-TEST_CASE("more breaks than the Riemann-Hilbert method takes") {
+TEST_CASE("the Riemann-Hilbert method takes at most 200 breaks with more than 16 digits") {
   const TemporaryFolder folder;
   const auto solve = [&](int points, const char* digits) {
     std::string text;
@@ -64,7 +64,7 @@ TEST_CASE("more breaks than the Riemann-Hilbert method takes") {
   CHECK(solve(203, "16").code == 0);
 }
 
-TEST_CASE("a trace with its units, turned, without its trend, is the profile that it measures") {
+TEST_CASE("a trace with units, changed sign and subtracted trend is the measured profile") {
   // x^2 in mm over [-1, 1] mm: once plain, once in um, towards the body, with a slope and an offset added.
   std::string plain, measured;
   for (int k = -200; k <= 200; ++k) {

@@ -31,7 +31,7 @@ TEST_CASE("bad meshes: message, exit code, no output") { check_bad_tables("--loa
 
 TEST_CASE("bad tables of places: message, exit code, no output") { check_bad_tables("--at-file", "bad_places.json"); }
 
-TEST_CASE("long lines, many lines, and files that are none") {
+TEST_CASE("long lines, too many lines and files that are no tables are refused") {
   const auto refused = [](const std::string& option, const std::string& table, const std::string& message) {
     check_refused(run_on(option, table), message);
   };
@@ -52,7 +52,7 @@ TEST_CASE("long lines, many lines, and files that are none") {
   check_refused(folder.run({"solve", "p.toml", "--loads-on", "."}), ".: cannot be read: Is a directory", 3);
 }
 
-TEST_CASE("headers, comments, semicolons, blanks, CRLF and a byte order mark are fine") {
+TEST_CASE("headers, comments, semicolons, blanks, CRLF and a byte order mark are allowed") {
   const std::string plain = out_of(run_on("--stress-at", "0,0.5\n1/2,1\n", {"--format", "csv"}));
   for (const char* same :
        {"x,z\n0,0.5\n1/2,1", "\xef\xbb\xbfx;z\r\n0;0.5 # first\r\n\r\n0.5;1\r\n", "0 0.5\n5e-1\t1\n"}) {

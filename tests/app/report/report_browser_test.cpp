@@ -109,7 +109,7 @@ TEST_CASE("the ledger in a browser: filter, verdicts, order, folds, links, print
   CHECK(drive(Page().folder, "ledger.js") == Json::parse(script("ledger.json")));
 }
 
-TEST_CASE("on a phone nothing is wider than the page, in both colours") {
+TEST_CASE("on a phone nothing is wider than the page, in both colour schemes") {
   if (skipped()) return;
   const Page page;
   page.folder.write("phone.html",
@@ -121,12 +121,12 @@ TEST_CASE("on a phone nothing is wider than the page, in both colours") {
   CHECK(seen["wide"] == Json::array());
 }
 
-TEST_CASE("the page is printed on more than one") {
+TEST_CASE("the page prints on more than one sheet") {
   if (skipped()) return;
   CHECK(printed_pages(Page().folder.path(), "report.html") > 1);
 }
 
-TEST_CASE("control: a page that complains is noticed") {
+TEST_CASE("control: an error or a warning of a page is noticed") {
   if (skipped()) return;
   const TemporaryFolder folder{
       {"bad.html", "<!DOCTYPE html><html><head></head><body><script>missing();</script></body></html>"}};

@@ -16,7 +16,7 @@ TEST_CASE("the page has every statement with its verdict, evidence and controls"
   CHECK_FALSE(holds(page, "<!--"));
 }
 
-TEST_CASE("what a text says is never markup, and nothing is fetched") {
+TEST_CASE("texts are escaped, and the page loads no other file") {
   const std::string page = report_html(fabricated_result(), fabricated_supplement());
   CHECK(holds(page, "[Bal16, (1)] &lt;script&gt;alert(1)&lt;/script&gt;"));
   CHECK(times(page, "<script") == 1);
@@ -25,7 +25,7 @@ TEST_CASE("what a text says is never markup, and nothing is fetched") {
     CHECK_FALSE_MESSAGE(holds(page, part), part);
 }
 
-TEST_CASE("parts without content disappear, with their entry in the contents") {
+TEST_CASE("parts without content are left out, and so are their entries in the contents") {
   VerifyResult result = fabricated_result();
   result.notes.clear();
   const std::string page = report_html(result, {});
@@ -55,7 +55,7 @@ TEST_CASE("drawings on one page do not share ids") {
   CHECK(inline_svg("no drawing", "one", "") == "");
 }
 
-TEST_CASE("numbers of a column stand below each other; figures and tables are counted") {
+TEST_CASE("the numbers of a column are aligned; tables are numbered") {
   std::vector<std::string> cells{"-0.5", "12", "1.25", "blows up"};
   align_numbers(cells);
   CHECK(cells == std::vector<std::string>{"<span class=\"n\">−0.5\u2007</span>",
@@ -64,7 +64,7 @@ TEST_CASE("numbers of a column stand below each other; figures and tables are co
   CHECK(with_numbers("a # b # c", "#", "Table") == "a Table 1. b Table 2. c");
 }
 
-TEST_CASE("how a page was made") {
+TEST_CASE("the page gives its date, compiler and libraries") {
   std::map<std::string, std::string> made;
   for (const auto& [part, by] : made_now()) made[part] = by;
   CHECK(made["compiler"] != "");
@@ -83,7 +83,7 @@ TEST_CASE("mutants: quoted fields, missing fields, empty lines") {
   CHECK(read_mutants("id,file,change,killer,evidence\n").empty());
 }
 
-TEST_CASE("references: paragraphs with a key, tables left out") {
+TEST_CASE("references: paragraphs with a key become a list, and short tables are left out") {
   const std::string html = references_list(
       "# References\n\ntext\n\n**[A1]** One, *A <title>*,\n[doi:1](https://doi.org/1). More:\n\n| a |\n|---|\n\n"
       "**[B2]** Two.\n");
@@ -96,7 +96,7 @@ TEST_CASE("references: paragraphs with a key, tables left out") {
 
 TEST_CASE("verify --report writes the page beside its own output, from one run") {
   const TemporaryFolder folder;
-  // Without gnuplot there are no figures: report_browser_test.cpp tests a page with them.
+  // An empty PATH has no gnuplot, so there are no figures. report_browser_test.cpp tests a page with figures.
   const Arguments verify = words("verify --quick --claim gamma-* --report a/b -o out.txt");
   const Finished finished = run_program_by({"env", "PATH="}, verify, folder.path());
   CHECK(finished.code == 0);
@@ -105,7 +105,7 @@ TEST_CASE("verify --report writes the page beside its own output, from one run")
   CHECK(holds(folder.read("a/b/report.html"), "2 proved, 0 supported"));
 }
 
-TEST_CASE("reports: a folder that cannot be made") {
+TEST_CASE("a report is refused if its folder cannot be made") {
   const TemporaryFolder folder{{"file", ""}};
   for (const Arguments& arguments :
        {Arguments{"verify", "--claim", "gamma-range", "--report", "file"}, {"report", "-o", "file"}}) {
@@ -116,7 +116,7 @@ TEST_CASE("reports: a folder that cannot be made") {
   CHECK(folder.names() == std::vector<std::string>{"file"});
 }
 
-TEST_CASE("a signal takes both unfinished files along") {
+TEST_CASE("a signal removes both unfinished files") {
   const TemporaryFolder folder;
   const Finished finished =
       run_and_interrupt({"verify", "--claim", "vi-convergence-*", "--report", ".", "-o", "out.txt"}, folder, SIGINT,

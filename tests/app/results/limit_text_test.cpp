@@ -17,7 +17,8 @@ std::string shown(const LimitText& text) { return text.left.value + (text.two_si
 
 }  // namespace
 
-TEST_CASE("one text for both limits, or two: blow-ups, what is not known, and what differs by no more than its error") {
+TEST_CASE(
+    "limits become one text or two: infinite ones, unknown ones, and ones that differ by no more than their error") {
   // A function that is infinite on one side, also at an edge, has one text; infinities of different signs have two. The
   // shear without friction beside an infinite traction keeps both limits. An unknown limit does not hide the other one.
   std::vector<std::string> rows = lines(file_text(STEADYSLIDE_TESTS "/app/results/limits.csv"));
@@ -31,7 +32,7 @@ TEST_CASE("one text for both limits, or two: blow-ups, what is not known, and wh
   }
 }
 
-TEST_CASE("sides that are kept apart are two in files, one to a person") {
+TEST_CASE("two limits within their errors are two numbers in files and one in text") {
   const numeric::TwoSided<double> values{estimate("1+-0.02"), estimate("1.03+-0.02")};
   const LimitText text = limit_text(values, values, 16, true);
   CHECK(shown(text) == "1|1.03");

@@ -39,19 +39,19 @@ std::string written(Format format, const VerifyResult& result) {
 
 }  // namespace
 
-TEST_CASE("text shows why a claim is not settled") {
+TEST_CASE("text gives the reason why a claim is not settled") {
   check_holds(written(Format::text, bad_result()),
               {"2 claims at 100 digits, seed 42\n", "refuted    1/1       0.25     a-claim",
                "undecided  0/1       1.00     b-claim", "counterexample: ", "1 is not 2", "the control survives",
                "0 proved, 0 supported, 1 undecided, 1 refuted", "printed   (1+x)^{1/2}\n"});
 }
 
-TEST_CASE("JSON, whole") {
+TEST_CASE("JSON of a whole result") {
   const std::string expected = file_text(STEADYSLIDE_TESTS "/app/results/verify.json");
   CHECK(written(Format::json, bad_result()) == replaced(expected, "VERSION", STEADYSLIDE_VERSION));
 }
 
-TEST_CASE("a proof is printed as a tree where it is asked for, and is in JSON always") {
+TEST_CASE("text has a proof as a tree if requested, JSON always has it") {
   VerifyResult result = bad_result();
   result.reports.front().evidence = {*proof_of("gamma-range")};
   CHECK_FALSE(holds(written(Format::text, result), "theorem monotone"));
@@ -64,7 +64,7 @@ TEST_CASE("a proof is printed as a tree where it is asked for, and is in JSON al
                                               "\"fact\": \"nonzero(\\\"nu - 1\\\")\"", "\"from\": ["});
 }
 
-TEST_CASE("a statement of the paper is as good as the weakest of what says it") {
+TEST_CASE("the verdict on a statement of the paper is that of its weakest claim") {
   const auto reported = [](const char* id, Verdict verdict) {
     return Report{{id, "", "", ""}, verdict, {}, "", {}, 0};
   };
@@ -84,12 +84,12 @@ TEST_CASE("a statement of the paper is as good as the weakest of what says it") 
   CHECK(refuted(reports).second == 0);
 }
 
-TEST_CASE("Markdown escapes what would end a cell") {
+TEST_CASE("Markdown escapes characters that would end a cell") {
   CHECK(holds(written(Format::markdown, bad_result()),
               "| a-claim | [Bal16, (1)] | x \\| y\\_1 \\< 2 | always | refuted | 1/1 | counterexample: "));
 }
 
-TEST_CASE("one claim is one claim") {
+TEST_CASE("one claim is counted in the singular") {
   VerifyResult result = bad_result();
   CHECK(holds(written(Format::text, result), ": 2 claims at "));
   result.reports.pop_back();
@@ -122,7 +122,7 @@ TEST_CASE("notes of other claims are counted, not shown") {
   CHECK(holds(written(Format::json, result), "\"reading_notes_left_out\": 2\n"));
 }
 
-TEST_CASE("only a ledger without refuted and undecided claims ends well, but for what is beyond calculation") {
+TEST_CASE("the exit code is 0 if no claim is refuted or undecided, except for claims beyond calculation") {
   const auto reported = [](Verdict verdict, std::vector<Evidence> evidence) {
     return Report{{"an-id", "", "", ""}, verdict, std::move(evidence), "", {}, 0};
   };

@@ -17,7 +17,7 @@ TEST_CASE("bad sweeps: message, exit code, no output") {
   }
 }
 
-TEST_CASE("bad sweeps: mistakes in the base have the base's line") {
+TEST_CASE("bad sweeps: the message for a mistake in the base has the line of the base") {
   const SweepFolder folder("[vary]\nload = [1, 2]\n");
   folder.write("base.toml", "lode = 1\n" + sweep_base);
   check_refused(folder.sweep({"-o", "out"}),
@@ -31,7 +31,7 @@ TEST_CASE("bad sweeps: mistakes in the base have the base's line") {
   CHECK(folder.names() == std::vector<std::string>{"base.toml", "sweep.toml"});
 }
 
-TEST_CASE("bad sweeps: an unknown column is told what there is") {
+TEST_CASE("bad sweeps: the message for an unknown column lists the known ones") {
   const SweepFolder folder("[vary]\nload = [1, 2]\n[output]\ncolumns = [\"effective_frikshun\"]\n");
   const Finished finished = folder.sweep({"-o", "out"});
   CHECK(finished.code == 2);
@@ -42,7 +42,7 @@ TEST_CASE("bad sweeps: an unknown column is told what there is") {
   CHECK(folder.names() == std::vector<std::string>{"base.toml", "sweep.toml"});
 }
 
-TEST_CASE("bad sweeps: what cannot be written is said before the first row") {
+TEST_CASE("bad sweeps: a file that cannot be written is refused before the first row") {
   const SweepFolder folder(sweep_of_three_data);
   check_refused(folder.sweep({"-o", "none/out"}), "none/out: cannot be written: No such file or directory", 3);
   check_refused(folder.sweep({"-o", "/dev/full"}), "/dev/full: cannot be written: No space left on device", 3);

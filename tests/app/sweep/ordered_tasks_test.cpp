@@ -36,7 +36,7 @@ TEST_CASE("texts are taken in order, one at a time, though later tasks end earli
       {3, 3}, 2, [](std::size_t) { return ""; }, [](std::size_t, const std::string&) { FAIL("none to take"); });
 }
 
-TEST_CASE("what a task throws, or who takes it, ends all and is thrown") {
+TEST_CASE("an exception of a task, or of the function that takes its text, ends all tasks and is thrown") {
   const auto make = [](std::size_t n) -> std::string {
     if (n == 700) throw std::runtime_error("made");
     return "";

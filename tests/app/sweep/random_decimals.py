@@ -1,4 +1,4 @@
-"""The random values that docs/sweep.md defines, in Python's whole numbers: NAME SEED FROM TO COUNT."""
+"""Prints the random values that docs/sweep.md defines, computed with Python's integers: NAME SEED FROM TO COUNT."""
 import sys
 from fractions import Fraction
 

@@ -32,7 +32,7 @@ const std::string long_sweep =
 
 }  // namespace
 
-TEST_CASE("sweep: each row is what one solve of the problem says") {
+TEST_CASE("sweep: each row has the results of one solve") {
   const SweepFolder folder(sweep_of_three_data +
                            "[output]\ncolumns = [\"effective_friction\", \"resultants.centre_of_pressure_error\", "
                            "\"load_share[1]\", \"contact[0].right.exponent\", \"singular_points[1].intensity\", "
@@ -68,7 +68,7 @@ TEST_CASE("sweep: each row is what one solve of the problem says") {
   CHECK(table[1][3] != table[2][3]);
 }
 
-TEST_CASE("sweep: the first datum of the file changes slowest, [together] stands where it stands") {
+TEST_CASE("sweep: the first datum of the file changes slowest, and [together] counts at its place in the file") {
   const SweepFolder folder(
       "[vary]\nload = [\"1\", \"2\"]\nhalf_space.young = [1, 3]\n[together]\n"
       "\"friction.values[1]\" = \"0.4:0.5:0.1\"\n\"friction.values[0]\" = [\"1/3\", 0]\n");
@@ -85,7 +85,7 @@ TEST_CASE("sweep: the first datum of the file changes slowest, [together] stands
         "load_at,sliding,load\n0,+x,2\n0,+x,1\n0,-x,2\n0,-x,1\n0.1,+x,2\n0.1,+x,1\n0.1,-x,2\n0.1,-x,1\n");
 }
 
-TEST_CASE("sweep: lists, profiles and keys that the problem lacks vary, too") {
+TEST_CASE("sweep: lists, profiles and keys that the problem does not have can vary") {
   const SweepFolder folder(
       "[vary]\nfriction.jumps = [[\"-0.5\"], [\"0.5\"]]\nindenter.profile = [0, \"x^2*8\"]\n"
       "half_space.plane = [\"stress\"]\n[output]\ncolumns = [\"contact[0].left.kind\"]\n");
@@ -94,7 +94,7 @@ TEST_CASE("sweep: lists, profiles and keys that the problem lacks vary, too") {
         "-0.5,0,stress,edge,\n-0.5,x^2*8,stress,free,\n0.5,0,stress,edge,\n0.5,x^2*8,stress,free,\n");
 }
 
-TEST_CASE("sweep: columns of a second component, and of one that is not there") {
+TEST_CASE("sweep: columns of a second component have its values, columns of a missing component are empty") {
   const std::string two_bumps =
       replaced(replaced(sweep_base, "profile = 0", "support = [-2, 2]\nprofile = \"(x^2-1)^2/4\""), "load = 1",
                "load = \"0.1\"");
@@ -113,7 +113,7 @@ TEST_CASE("sweep: columns of a second component, and of one that is not there") 
   CHECK(row[5] == "2");
 }
 
-TEST_CASE("sweep: measured profiles vary") {
+TEST_CASE("sweep: measured profiles can vary") {
   const SweepFolder folder(
       "[vary]\nindenter.samples = [\"flat.csv\", \"wedge.csv\"]\n[output]\ncolumns = [\"method\"]\n");
   folder.write("base.toml", replaced(sweep_base, "profile = 0", "samples = \"none.csv\""));
@@ -153,7 +153,7 @@ TEST_CASE("sweep: a failure is a row with its reason, and exit code 1") {
   CHECK(folder.names() == std::vector<std::string>{"base.toml", "out.csv", "sweep.toml"});
 }
 
-TEST_CASE("sweep: random values are those of another implementation") {
+TEST_CASE("sweep: random values agree with another implementation") {
   const SweepFolder folder(
       "[vary]\n\"friction.jumps[0]\" = { random = 50, from = \"-0.9\", to = \"9/10\", seed = 1 }\n"
       "load = { random = 2, from = 1, to = 2, seed = 18446744073709551615 }\n");
@@ -185,7 +185,7 @@ TEST_CASE("sweep: the same table from any number of threads, to a file or not, f
   CHECK(folder.names() == std::vector<std::string>{"base.toml", "out", "sweep.toml"});
 }
 
-TEST_CASE("sweep: killed, resumed, the same to the byte") {
+TEST_CASE("sweep: a killed and resumed sweep gives the same file to the byte") {
   const SweepFolder folder(long_sweep);
   REQUIRE(folder.sweep({"-o", "whole"}).code == 0);
   const std::string whole = folder.read("whole");
@@ -210,7 +210,7 @@ TEST_CASE("sweep: killed, resumed, the same to the byte") {
   }
 }
 
-TEST_CASE("sweep: rows of before are neither lost nor taken for others") {
+TEST_CASE("sweep: rows of an earlier sweep are neither overwritten nor used for another sweep") {
   const SweepFolder folder("[vary]\nload = [1, 2]\nfriction.jumps = [[0], [2]]\n");
   CHECK(folder.sweep({"-o", "out", "--resume"}).code == 1);  // there is nothing to resume: it starts from the beginning
   const std::string whole = folder.read("out");
@@ -230,7 +230,7 @@ TEST_CASE("sweep: rows of before are neither lost nor taken for others") {
   CHECK(folder.read("out") == whole);
 }
 
-TEST_CASE("sweep: rows that are missing or doubled are noticed, and a part that is no file") {
+TEST_CASE("sweep: rows that are missing or doubled are noticed, and a FILE.part that is no regular file") {
   const SweepFolder folder(long_sweep);
   const Finished killed =
       run_and_interrupt({"sweep", "sweep.toml", "-o", "out"}, folder, SIGKILL, std::chrono::milliseconds(200));

@@ -11,7 +11,7 @@
 using namespace steadyslide::app;
 using namespace steadyslide::testing;
 
-TEST_CASE("four threads make the rows of one") {
+TEST_CASE("four threads make the same rows as one") {
   for (const std::string digits : {"16", "40"}) {
     const TemporaryFolder folder{
         {"sweep.toml",

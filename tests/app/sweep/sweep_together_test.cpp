@@ -34,7 +34,7 @@ TEST_CASE("mpirun steadyslide-sweep: the same table from any number of processes
   CHECK(out_of(folder.run({"sweep", "long.toml"})) == folder.read("out"));
 }
 
-TEST_CASE("mpirun steadyslide-sweep: what is wrong is said once, failures are rows") {
+TEST_CASE("mpirun steadyslide-sweep: an error is printed once, and failures are rows") {
   const SweepFolder folder("[vary]\nfriction.jumps = [[0], [2], [0]]\n");
   const Finished failed = together(2, {"sweep.toml", "-o", "out"}, folder);
   CHECK(failed.code == 1);
@@ -49,7 +49,7 @@ TEST_CASE("mpirun steadyslide-sweep: what is wrong is said once, failures are ro
   CHECK(folder.names() == std::vector<std::string>{"base.toml", "out", "single", "sweep.toml"});
 }
 
-TEST_CASE("sweep -o FILE.h5: a dataset for each column, numbers and words, the same bytes again") {
+TEST_CASE("sweep -o FILE.h5 writes a dataset for each column, of numbers or words, and the same bytes each time") {
   const SweepFolder folder(
       "[vary]\nfriction.jumps = [[0], [2], [\"1/2\"]]\nsliding = [\"+x\"]\n[output]\ncolumns = "
       "[\"effective_friction\", \"method\"]\n");
@@ -77,7 +77,7 @@ TEST_CASE("sweep -o FILE.h5: a dataset for each column, numbers and words, the s
 
 #else
 
-TEST_CASE("steadyslide-sweep is not built, and HDF5 says so") {
+TEST_CASE("without steadyslide-sweep an HDF5 file is refused") {
   MESSAGE("libopenmpi-dev or libhdf5-dev is not installed: nothing is known of steadyslide-sweep");
   const SweepFolder folder(sweep_of_three_data);
   const Finished finished = folder.sweep({"-o", "out.h5"});

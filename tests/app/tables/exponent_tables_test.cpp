@@ -58,7 +58,7 @@ Dundurs dundurs(const Material& one, const Material& two) {
 
 }  // namespace
 
-TEST_CASE("docs/theory.md holds the output of exponent-tables, byte by byte but for the level of headings") {
+TEST_CASE("docs/theory.md holds the output of exponent-tables, byte by byte except for the level of headings") {
   const std::string page = file_text(STEADYSLIDE_DOCS "/theory.md");
   const std::string document = exponent_documents().front().text;
   const std::string tables = std::regex_replace(document.substr(document.find("\n## ")), std::regex("\n## "), "\n### ");

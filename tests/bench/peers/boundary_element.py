@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""The parabola of parabola.toml by a boundary-element code as the field writes it.
+"""Solves the parabola of parabola.toml by a boundary-element method that is common in the field.
 
     boundary_element.py CELLS
 
-Constant pressures on equal cells, midpoint collocation, the logarithmic kernel by fast Fourier transforms on twice the
-cells (Liu, Wang, Liu, Wear 243 (2000) 101-111), pressures >= 0 of a given load by projected conjugate gradients
-(Polonsky, Keer, Wear 231 (1999) 206-219). Their kernel is symmetric, that of sliding friction is not: what the shear
-tractions do to the normal displacement, c int s p, is lagged in an outer iteration as a change of the profile.
+Pressures are constant on equal cells, with collocation at the midpoints. The logarithmic kernel is applied by fast Fourier
+transforms on twice the cells (Liu, Wang, Liu, Wear 243 (2000) 101-111). Projected conjugate gradients find pressures >= 0 with the
+given load (Polonsky, Keer, Wear 231 (1999) 206-219). Their kernel is symmetric, that of sliding friction is not. So the effect of
+the shear tractions on the normal displacement, c int s p, is a change of the profile, and an outer iteration updates it.
 Prints the load share under the first coating, the ends of contact, CPU seconds and steps as JSON.
 """
 

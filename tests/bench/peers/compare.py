@@ -1,7 +1,8 @@
-"""The peers beside ours at equal accuracy: each one's error against the certified value, its time, and the time of ours.
+"""Compares other programs with steadyslide at equal accuracy: the error against the certified value, and both times.
 
-Scripts say the load share under the first coating; beside each stands the fewest cells of ours with no larger error, and
-the formula. Libraries are beside ours in the benchmark programs: GSL for a traction, PARI and Arb for a panel's integral.
+The scripts print the load share under the first coating. Each is compared with the smallest number of cells of steadyslide that
+has no larger error, and with the formula. The benchmark programs compare libraries: GSL for a traction, PARI and Arb for the
+integral over a panel.
 """
 
 import json

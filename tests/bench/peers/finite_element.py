@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""The parabola of parabola.toml by finite elements, with GetFEM (python3-getfem).
+"""Solves the parabola of parabola.toml by finite elements, with GetFEM (python3-getfem).
 
     finite_element.py ELEMENTS
 
-A block of half-width and depth 10^4 with fixed sides and bottom stands for the half-plane: quadratic elements, ELEMENTS
-equal ones over [-1, 1] with a node at the friction jump, growing by half beyond. The pressure is a multiplier, continuous
-and linear, and contact the augmented Lagrangian's complementarity (Alart, Curnier 1991, as in GetFEM's own contact
-bricks), with the shear f p of steady sliding as a traction, and the load fixed by one more unknown, the approach.
+A block of half-width and depth 10^4 with fixed sides and bottom replaces the half-plane. The elements are quadratic: ELEMENTS
+equal ones over [-1, 1], with a node at the friction jump; beyond, each is longer by half than the one before. The pressure
+is a continuous, piecewise linear multiplier. Contact is the complementarity of the augmented Lagrangian (Alart, Curnier 1991, as
+in GetFEM's own contact bricks). The shear f p of steady sliding is a traction. One more unknown, the approach, fixes the load.
 Prints the load share under the first coating, CPU seconds, unknowns and steps as JSON.
 """
 

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""The load under the first coating of punch.toml: its pressure by the formula, integrated by mpmath.quad (python3-mpmath).
+"""Computes the load under the first coating of punch.toml: mpmath.quad (python3-mpmath) integrates the formula of the pressure.
 
     power_integrals.py DIGITS
 
-p = P/(pi sqrt(1+s^2)) prod |x-e_j|^p_j [Bal16, (4)-(7)], s = gamma f, by tanh-sinh between the singular points, as the
-manual has it for singularities at ends. The whole load comes out as 1.
-Prints the load share, CPU seconds and what is missing of the load as JSON.
+The pressure is p = P/(pi sqrt(1+s^2)) prod |x-e_j|^p_j [Bal16, (4)-(7)], s = gamma f. The rule is tanh-sinh between the singular
+points, as in the manual of mpmath for singularities at ends. The whole load must be 1.
+Prints the load share, CPU seconds and the difference of the load from 1 as JSON.
 """
 
 import json
