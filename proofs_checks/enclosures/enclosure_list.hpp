@@ -1,12 +1,13 @@
 #pragma once
-// What proofs decide in balls: of section 3, of remark 1, of a published integral and of single contact problems.
+// Statements that proofs decide in balls: for section 3, for remark 1, for a published integral and for single contact
+// problems.
 
 #include "enclosure/number/ball.hpp"
 #include "proofs_checks/proof/enclosures.hpp"
 
 namespace steadyslide::proofs_checks {
 
-/// What signs are decided at.
+/// The precision at which signs are decided.
 inline constexpr enclosure::Bits sign_bits = 64;
 
 /// |arctan(s)/pi| < 1/2 for s in an interval, which may be unbounded.
