@@ -1,6 +1,6 @@
-// Bounds the fourth Taylor coefficient of exp(-log(1+s^2)/2 + alpha (log(1+2 alpha) - log(1-2 alpha))), alpha =
-// arctan(s)/pi. The interval is divided into pieces. The balls c_0, ..., c_4 contain the coefficients at every point of
-// a piece. |c_4| <= 1/20 is decided.
+// Bounds the fourth Taylor coefficient of exp(-log(1+s^2)/2 + alpha (log(1+2 alpha) - log(1-2 alpha))),
+// alpha = arctan(s)/pi. The interval is divided into pieces. The balls c_0, ..., c_4 contain the coefficients at every
+// point of a piece. |c_4| <= 1/20 is decided.
 
 #include <array>
 

@@ -1,6 +1,6 @@
 #pragma once
-// The force T(c) left of a point c, compared with the energy: sup T(c)^2/E over tractions of zero mean on cells, E =
-// -(1/pi) <t * log|x|, t>.
+// The force T(c) left of a point c, compared with the energy: sup T(c)^2/E over tractions of zero mean on cells,
+// E = -(1/pi) <t * log|x|, t>.
 //
 // In the continuum there is no bound. E is the square of an H^(1/2) norm of T = int t. Close to c, Green's function of
 // this form on ]-1, 1[ is (1/pi) log(2 (1-c^2)/|x-c|). Therefore the capacity of a point is zero, and that of an

@@ -5,9 +5,9 @@
 //   L(u) = (1/(1+s^2)) (s u' - (1/W) (1/pi) PV int W(x') u'(x')/(x'-x) dx'),   W = (1+x)^{1/2+alpha} (1-x)^{1/2-alpha},
 //
 // [Bal16, (10)]. The nodes are Gauss's for t_0 = (cos(pi alpha)/pi)/W, so that int f t_0 = sum tau_i f(x_i) for f of
-// degree < 2n. L(u)/t_0 is a polynomial, so that a(v, u) = sum v_i (force u)_i without error. In the integral, (u'(x')
-// - u'(x))/(x'-x) is a polynomial, which Gauss's rule for W integrates; the trapezoidal rule computes PV int W/(x'-x).
-// The form b, its matrix on cells and solutions are not used here.
+// degree < 2n. L(u)/t_0 is a polynomial, so that a(v, u) = sum v_i (force u)_i without error. In the integral,
+// (u'(x') - u'(x))/(x'-x) is a polynomial, which Gauss's rule for W integrates; the trapezoidal rule computes PV int
+// W/(x'-x). The form b, its matrix on cells and solutions are not used here.
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 // Riemann-Hilbert. The solutions are compared by the moments int t_n T_k, k = 1, ..., 8, of Chebyshev's polynomials, in
 // the norm
 //
-//   |t|^2 = (2/pi) sum_k (int t T_k)^2/k,
+//   |t|^2 = (2/pi) sum_k (int t T_k)^2/k.
 //
 // This is the norm of H^{-1/2} on a traction of zero mean, because -(1/pi) log|x-y| = (1/pi) log 2 + (2/pi) sum_k
 // T_k(x) T_k(y)/k.

@@ -1,7 +1,7 @@
 #pragma once
 // The stress field in the half-plane z > 0 under tractions that are polynomials on intervals of the surface, for the
-// claims about surface displacements. The integrals of the potentials are exact. On [a, b], with L =
-// log((b-zeta)/(a-zeta)),
+// claims about surface displacements. The integrals of the potentials are exact. On [a, b], with
+// L = log((b-zeta)/(a-zeta)),
 //
 //   C(zeta) = (1/pi) int_a^b t/(x'-zeta) dx' = (t(zeta) L + Q(zeta))/pi,   Q = int_a^b (t(x')-t(zeta))/(x'-zeta) dx',
 //

@@ -25,8 +25,8 @@ Power<R> raised(const Power<R>& p) {
 }
 
 /// Returns v for t_hat = x^m, by partial integration. int x^m log|x-y| dx is (x^{m+1} - y^{m+1}) log|x-y|/(m+1) at the
-/// ends minus the integral of (x^{m+1} - y^{m+1})/((m+1) (x-y)). The latter is a polynomial, because x^{m+1} - y^{m+1}
-/// = (x-y) sum_j x^j y^{m-j}.
+/// ends minus the integral of (x^{m+1} - y^{m+1})/((m+1) (x-y)). The latter is a polynomial, because
+/// x^{m+1} - y^{m+1} = (x-y) sum_j x^j y^{m-j}.
 template <class R>
 R potential_of_power(const R& s, int m, const Node<R>& node) {
   using std::log;

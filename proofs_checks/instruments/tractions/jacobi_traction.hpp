@@ -1,7 +1,7 @@
 #pragma once
 // Tractions t = (1+x)^left (1-x)^right factor(x) on ]-1, 1[, factor a polynomial, and the form
 //
-//   b(t, t_hat) = int t v dx,   v(y) = int t_hat(x) (-(1/pi) log|x-y| + (s/2) sgn(x-y)) dx,
+//   b(t, t_hat) = int t v dx,   v(y) = int t_hat(x) (-(1/pi) log|x-y| + (s/2) sgn(x-y)) dx.
 //
 // v has a closed form. For t_hat = T_k/sqrt(1-x^2), y = cos theta, k >= 1 it is
 //
