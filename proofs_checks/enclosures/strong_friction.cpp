@@ -1,6 +1,6 @@
 // Galin's pressure divided by that of a triangle is 2A (w/(2-w))^eps with 2A = sin(pi eps)/(pi eps (1-eps)),
-// eps = 1/2 - alpha: 1 <= 2A <= 1 + eps. For y = pi eps >= 0 the alternating series gives y - y^3/6 <= sin
-// y <= y - y^3/6 + y^5/120. Therefore
+// eps = 1/2 - alpha: 1 <= 2A <= 1 + eps. For y = pi eps >= 0 the alternating series gives
+// y - y^3/6 <= sin y <= y - y^3/6 + y^5/120. Therefore
 //
 //   1 - eps <= 1 - pi^2 eps^2/6                              if eps pi^2/6 <= 1,
 //   1 - pi^2 eps^2/6 + pi^4 eps^4/120 <= (1-eps) (1+eps)     if eps^2 pi^4/120 <= pi^2/6 - 1. This follows from

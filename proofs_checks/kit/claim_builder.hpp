@@ -69,8 +69,8 @@ void compare(Findings& findings, const Values& measured, const Values& predicted
 /// times the tolerance, a decided value by 1e-94, an order by twice its tolerance.
 void add_near_misses(ExaminedClaim& claim);
 
-/// Returns f(arguments...). If f has a type parameter, this is the number type of the context's digits. If f takes a
-/// context as its last argument, it receives this one.
+/// Returns f(arguments...). A type parameter of f becomes the number type of the context's digits. If f takes a context
+/// after the arguments, it receives this one.
 template <class F, class... Arguments>
 decltype(auto) called_at(const Context& context, const F& f, Arguments&... arguments) {
   if constexpr (std::is_invocable_v<const F&, Arguments&...>) {

@@ -27,8 +27,8 @@
 //   **Checked in its place.** rh-load, ...  ids of claims that check consequences of it
 //
 // The first table lists the compared numbers and the two routes to each. Both routes stay empty if the check only
-// decides whether a value is true. The last column says how numbers are compared: `tolerance 1e-8`, `absolute`, `at
-// most`, `required 0.4` and `no near miss` set the members of Quantity. This column may be absent.
+// decides if a value is true. The last column gives the comparison: `tolerance 1e-8`, `absolute`, `at most`,
+// `required 0.4` and `no near miss` set the members of Quantity. This column may be absent.
 //
 // The second table lists statements of the symbolic layer by their ids, with all wrong variants that this layer has of
 // them. Lines of text are joined. A bar inside a cell is written \|. Formulas stand between backticks, in the notation

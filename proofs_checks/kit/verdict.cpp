@@ -12,8 +12,8 @@ bool is_complete_proof(const Evidence& evidence) {
   return proof && proof->complete();
 }
 
-/// True if the evidence shows nothing: a proof with a gap, no decided identity, or too few cases at which the statement
-/// says something.
+/// True if the evidence shows nothing: a proof with a gap, no decided identity, too few effective cases, a rate whose
+/// error bar is wider than its tolerance, or a statement beyond calculation.
 bool is_empty(const Evidence& evidence) {
   if (const auto* proof = std::get_if<CheckedProof>(&evidence)) return !proof->complete();
   if (const auto* identity = std::get_if<ExactIdentity>(&evidence)) return identity->identities.empty();

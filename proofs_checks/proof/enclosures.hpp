@@ -1,5 +1,5 @@
 #pragma once
-// Statements decided in balls over a box of parameters, by name. Each has its own file in proofs_checks/enclosures/.
+// Statements decided in balls over a box of parameters, by name. Their sources are in proofs_checks/enclosures/.
 
 #include <functional>
 #include <span>

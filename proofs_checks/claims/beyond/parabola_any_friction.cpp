@@ -29,8 +29,8 @@ struct Law {
   Number load = 2;
 };
 
-/// Returns the contact ends by Newton's method for the zeros of -2 int alpha - (a+b) and 2 P R/pi - (a^2+b^2)/2 - 2 int
-/// y alpha. The derivatives are those with respect to the integrals' limits: -(1 -+ 2 alpha), and this times a or b.
+/// Returns the contact ends by Newton's method for the zeros of -2 int alpha - (a+b) and
+/// 2 P R/pi - (a^2+b^2)/2 - 2 int y alpha. The derivatives are those with respect to the integrals' limits: -(1 -+ 2 alpha), and this times a or b.
 /// Coordinates are measured from the vertex.
 Values ends(const ContactProblem& p, const Law& law) {
   const auto vertex = to_real<Number>(vertex_of(p));

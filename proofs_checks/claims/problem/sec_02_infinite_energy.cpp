@@ -74,7 +74,7 @@ Claim claim() {
            punch(Rational(-1, 2), {Rational(3, 4)}, {}, 1, Sliding::minus_x)},
           1, "solved problems with and without friction jumps, sliding both ways"))
       .precision(Precision::in_double)
-      // In double: stresses far away are sums of parts that almost cancel, and extrapolation takes differences.
+      // Stresses far away are sums of parts that almost cancel, and extrapolation takes differences: digits are lost.
       .measured([](const ContactProblem& problem) -> Values {
         const auto solution = solve<double>(problem);
         const auto& form = solution->form();

@@ -37,7 +37,7 @@ CaseList<Neglect> parabolas(const Context& context) {
 
 const Indenter parabola(-2, {{2, Polynomial({0, 0, Rational(1, 2)})}});
 
-/// Returns a problem with these values of s, in units in which they are the data.
+/// Returns a reduced problem with gamma = 1/2 and f = 2 s: the values of s are the data.
 ContactProblem sliding(std::vector<Rational> s, const Indenter& indenter, std::vector<Rational> jumps = {}) {
   for (Rational& value : s) value *= 2;
   return {Elasticity::reduced(Rational(1, 2)), FrictionProfile(std::move(s), std::move(jumps)), indenter, 1};

@@ -27,7 +27,8 @@ std::optional<ComplementaryPair> by_interior_points(const Eigen::MatrixXd& m, co
                                                     std::optional<double> total) {
   constexpr int most_steps = 300;
   constexpr double towards_zero = 0.1;  // the target of a step, as a part of the mean product
-  // The mean product at which the smaller one of x_i and y_i is only rounding beside the larger one.
+  // The mean product, over the scale, at which the iteration ends. An x_i or y_i of the size of its square root is
+  // rounding beside the others.
   constexpr double nothing = 1e-28;
   const Eigen::Index n = r.size();
   const Eigen::Index size = n + (total ? 1 : 0);

@@ -6,8 +6,8 @@
 // error of a linear functional F is a(t - t_h, t* - v) for any piecewise constant v, where t* solves a(v, t*) = F(v).
 // Close to a point with t ~ d^lambda and t* ~ d^lambda*, cells of length h contribute h^(lambda + lambda* + 2); a
 // smooth part contributes h^3. The powers of the adjoint solution t* are those of -s on the same contact set, with one
-// more condition at a friction jump: because of <int s v, t*> = <v, s int_x^1 t*>, the jump of s requires int_c^1
-// t* = 0, and a part of |x-c|^(-1-beta) in t* fulfils this. [Bal16, section 4]
+// more condition at a friction jump: because of <int s v, t*> = <v, s int_x^1 t*>, the jump of s requires
+// int_c^1 t* = 0, and a part of |x-c|^(-1-beta) in t* fulfils this. [Bal16, section 4]
 //
 //   edge, step       lambda* = edge exponent of -s                   sum -1, rate 1
 //   free end         lambda* = edge exponent of -s: the contact set  sum  0, rate 2

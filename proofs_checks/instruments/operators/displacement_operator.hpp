@@ -6,8 +6,8 @@
 //
 // [Bal16, (10)]. The nodes are Gauss's for t_0 = (cos(pi alpha)/pi)/W, so that int f t_0 = sum tau_i f(x_i) for f of
 // degree < 2n. L(u)/t_0 is a polynomial, so that a(v, u) = sum v_i (force u)_i without error. In the integral,
-// (u'(x') - u'(x))/(x'-x) is a polynomial, which Gauss's rule for W integrates; the trapezoidal rule computes PV int
-// W/(x'-x). The form b, its matrix on cells and solutions are not used here.
+// (u'(x') - u'(x))/(x'-x) is a polynomial, which Gauss's rule for W integrates; the trapezoidal rule computes
+// PV int W/(x'-x). The form b, its matrix on cells and solutions are not used here.
 
 #include <vector>
 

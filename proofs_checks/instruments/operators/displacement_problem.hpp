@@ -5,8 +5,8 @@
 //
 // The essential supremum is taken over the nodes, and t_0 has its exact weights tau_i [Bal16, (13), problem I]. phi is
 // the largest of finitely many linear functions. Therefore the inequality states: there are forces p_i >= 0 with sum P,
-// only at nodes at which w is largest, with a(v, u) = sum_i (P tau_i - p_i) v_i for all v. With the gaps g_i = max
-// w - w_i:
+// only at nodes at which w is largest, with a(v, u) = sum_i (P tau_i - p_i) v_i for all v. With the gaps
+// g_i = max w - w_i:
 //
 //   p = P tau - force psi + force g,   p >= 0,   g >= 0,   p_i g_i = 0.
 //

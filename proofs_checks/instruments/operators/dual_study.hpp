@@ -5,8 +5,8 @@
 //
 //   |t|^2 = (2/pi) sum_k (int t T_k)^2/k.
 //
-// This is the norm of H^{-1/2} on a traction of zero mean, because -(1/pi) log|x-y| = (1/pi) log 2 + (2/pi) sum_k
-// T_k(x) T_k(y)/k.
+// This is the norm of H^{-1/2} on a traction of zero mean, because
+// -(1/pi) log|x-y| = (1/pi) log 2 + (2/pi) sum_k T_k(x) T_k(y)/k.
 
 #include <map>
 
@@ -32,8 +32,8 @@ struct DualCase {
   std::function<double(double)> height() const;
 };
 
-/// Returns the cases: a parabola with two free ends; one with an edge at the rear, and one with an edge at the front,
-/// for both directions of sliding; two wells. A quick run has the first two.
+/// Returns the cases: a parabola with two free ends; one with an edge at the rear, sliding towards +x; one with an edge
+/// at the front, sliding towards -x; two wells. A quick run has the first two.
 std::vector<DualCase> dual_cases(const Context& context);
 
 using Moments = std::vector<double>;

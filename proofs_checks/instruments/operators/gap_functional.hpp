@@ -47,8 +47,8 @@ R pairing(const Rational& s, const PiecewiseFunction& v);
 /// Returns the same integral by tanh-sinh.
 template <Real R>
 R pairing_by_tanh_sinh(const Rational& s, const PiecewiseFunction& v);
-/// Returns the same integral for one polynomial. Recurrence of the moments m_k = int x^k t_0: (k+1) m_{k+1} = k
-/// m_{k-1} - 2 alpha m_k.
+/// Returns the same integral for one polynomial. The moments m_k = int x^k t_0 have the recurrence
+/// (k+1) m_{k+1} = k m_{k-1} - 2 alpha m_k.
 template <Real R>
 R pairing_by_moments(const Rational& s, const Polynomial& v);
 

@@ -1,6 +1,6 @@
 #pragma once
-// The power of the traction close to a singular point, from the operator alone: the p for which t = |x|^p solves A
-// t = 0 close to 0. Principal values are computed by quadrature. No formula for an exponent, no arctangent and no
+// The power of the traction close to a singular point, from the operator alone: the p for which t = |x|^p solves
+// A t = 0 close to 0. Principal values are computed by quadrature. No formula for an exponent, no arctangent and no
 // cotangent is used, so that a formula for p can be checked against the result.
 //
 // For -1 < p < 0 the density y^p on the half-line y > 0 has H = m(p) at y = 1 and n(p) at y = -1,
