@@ -7,8 +7,8 @@
 //
 //   v = (cos(k theta) + s sin(k theta))/k = (T_k(y) + s U_{k-1}(y) sqrt(1-y^2))/k,
 //
-// and Gauss-Jacobi rules integrate t v without error. For t_hat = x^m it consists of elementary functions. [Bal16,
-// section 3.1]
+// and Gauss-Jacobi rules integrate t v without error. For t_hat = x^m it consists of elementary functions.
+// [Bal16, section 3.1]
 
 #include <vector>
 
