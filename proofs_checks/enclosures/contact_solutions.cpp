@@ -1,5 +1,6 @@
-// Single contact problems: Krawczyk's proof of one zero of the conditions next to what a solver found, and every sign of the
-// traction and of the gap decided (enclosure/contact/contact_proof.hpp). Wrong: the whole support in contact.
+// Single contact problems. Krawczyk's method proves that the conditions have one zero close to a solver's result, and
+// every sign of the traction and of the gap is decided (enclosure/contact/contact_proof.hpp). Wrong variant: contact on
+// the whole support.
 
 #include "enclosure/contact/contact_proof.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"

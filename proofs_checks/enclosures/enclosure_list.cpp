@@ -1,4 +1,4 @@
-// Every enclosure that a proof may name.
+// All enclosures that a proof may name.
 
 #include "proofs_checks/enclosures/enclosure_list.hpp"
 

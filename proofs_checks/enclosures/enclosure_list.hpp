@@ -1,27 +1,29 @@
 #pragma once
-// What proofs decide in balls: of section 3, of remark 1, of a published integral and of single contact problems.
+// Statements that proofs decide in balls: for section 3, for remark 1, for a published integral and for single contact
+// problems.
 
 #include "enclosure/number/ball.hpp"
 #include "proofs_checks/proof/enclosures.hpp"
 
 namespace steadyslide::proofs_checks {
 
-/// What signs are decided at.
+/// The precision at which signs are decided.
 inline constexpr enclosure::Bits sign_bits = 64;
 
-/// |arctan(s)/pi| < 1/2 for s in an interval, which may be unbounded.
+/// Decides |arctan(s)/pi| < 1/2 for s in an interval, which may be unbounded.
 Enclosure edge_powers();
-/// log 2 > 0.
+/// Decides log 2 > 0.
 Enclosure logarithm_of_two();
-/// -log d >= 0 for d in an interval within ]0, 1].
+/// Decides -log d >= 0 for d in an interval within ]0, 1].
 Enclosure logarithm_of_a_unit();
-/// 1 <= sin(pi eps)/(pi eps (1-eps)) <= 1 + eps for eps in an interval within [0, 0.6].
+/// Decides 1 <= sin(pi eps)/(pi eps (1-eps)) <= 1 + eps for eps in an interval within [0, 0.6].
 Enclosure triangle_amplitude();
-/// The fourth derivative of cos(pi alpha) ((1+2 alpha)/(1-2 alpha))^alpha in s = tan(pi alpha) is at most 4!/20.
+/// Decides that the fourth derivative of cos(pi alpha) ((1+2 alpha)/(1-2 alpha))^alpha in s = tan(pi alpha) is at most
+/// 4!/20.
 Enclosure peak_of_parabola();
-/// -pi sqrt(2)/3^{3/4} is in ]-1.949054259166748, -1.949054259166747[.
+/// Decides that -pi sqrt(2)/3^{3/4} is in ]-1.949054259166748, -1.949054259166747[.
 Enclosure galin_at_two();
-/// Solutions of three contact problems, with every sign.
+/// Decide the solutions of three contact problems, with every sign.
 Enclosure contact_over_notch();
 Enclosure contact_of_two_wells();
 Enclosure contact_of_bowl();

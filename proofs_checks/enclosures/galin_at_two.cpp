@@ -8,7 +8,7 @@ using enclosure::Ball;
 
 constexpr enclosure::Bits digit_bits = 128;
 
-/// Are the digits those of -pi sqrt(radicand)/3^{power}?
+/// Decides sign pi sqrt(radicand)/3^{power} in ]-1.949054259166748, -1.949054259166747[, the interval moved by `shift`.
 Enclosure::Decide galin_digits(int radicand, const Rational& power_of_three, int sign = -1, const char* shift = "0") {
   return [=](const Box&) -> Decision {
     const auto number = [](const char* text) { return Ball(parse_rational(text), digit_bits); };

@@ -1,4 +1,4 @@
-// Signs of the logarithm. It increases, so that over an interval ]0, d] the least value of -log is -log d.
+// Signs of the logarithm. It increases, so that on an interval ]0, d] the smallest value of -log is -log d.
 
 #include "proofs_checks/enclosures/enclosure_list.hpp"
 
@@ -15,7 +15,7 @@ Enclosure::Decide at(const Rational& number, int sign, const std::string& words)
   return [=](const Box&) -> Decision { return {sign_decided(log(Ball(number, sign_bits)) * sign), {words}}; };
 }
 
-/// -log(unit d) at the largest distance; log 1 = 0 exactly.
+/// Decides the sign of -log(unit d) at the upper end of the interval; log 1 = 0 is exact.
 Decision largest_distance(const Box& box, const Rational& unit) {
   const Interval d = box.at("d");
   if (!d.from || *d.from < 0 || !d.to) return {Truth::unknown, {"no interval of lengths"}};
@@ -40,7 +40,7 @@ Enclosure logarithm_of_a_unit() {
            {"lengths in units of a third of the support's", [](const Box& box) { return largest_distance(box, 3); }},
            {"`log d >= 0`", [](const Box& box) -> Decision {
               const Interval d = box.at("d");
-              // Halfway to the smallest distance.
+              // The middle of the interval.
               const Ball value = log(Ball((*d.from + *d.to) / 2, sign_bits));
               return {sign_decided(value), {"log d = " + value.to_string(6)}};
             }}}};

@@ -1,5 +1,6 @@
-// exp(-log(1+s^2)/2 + alpha (log(1+2 alpha) - log(1-2 alpha))), alpha = arctan(s)/pi, by its Taylor coefficients over pieces of
-// the interval: balls c_0, ..., c_4 that contain those at every place of a piece. |c_4| <= 1/20 is asked for.
+// Bounds the fourth Taylor coefficient of exp(-log(1+s^2)/2 + alpha (log(1+2 alpha) - log(1-2 alpha))),
+// alpha = arctan(s)/pi. The interval is divided into pieces. The balls c_0, ..., c_4 contain the coefficients at every
+// point of a piece. |c_4| <= 1/20 is decided.
 
 #include <array>
 
@@ -29,7 +30,7 @@ Taylor taylor_sum(const Taylor& f, const Ball& factor, const Taylor& g) {
   return h;
 }
 
-/// f log(f)' = f'.
+/// Returns log(f), from f log(f)' = f'.
 Taylor taylor_log(const Taylor& f) {
   Taylor h;
   h[0] = log(f[0]);
@@ -41,7 +42,7 @@ Taylor taylor_log(const Taylor& f) {
   return h;
 }
 
-/// exp(f)' = f' exp(f).
+/// Returns exp(f), from exp(f)' = f' exp(f).
 Taylor taylor_exp(const Taylor& f) {
   Taylor h;
   h[0] = exp(f[0]);
@@ -53,7 +54,7 @@ Taylor taylor_exp(const Taylor& f) {
   return h;
 }
 
-/// arctan(s)/pi by (1+s^2) arctan(s)' = 1, `square` being 1 + s^2.
+/// Returns arctan(s)/pi, from (1+s^2) arctan(s)' = 1; `square` is 1 + s^2.
 Taylor taylor_angle(const Ball& s, const Taylor& square) {
   const Ball pi = Ball::pi(peak_bits);
   Taylor rate, h;
@@ -67,7 +68,7 @@ Taylor taylor_angle(const Ball& s, const Taylor& square) {
   return h;
 }
 
-/// cos(pi alpha) ((1 + 2 alpha)/(1 - 2 alpha))^(times alpha)
+/// Returns cos(pi alpha) ((1 + 2 alpha)/(1 - 2 alpha))^(times alpha).
 Taylor taylor_peak(const Ball& s, int times) {
   const Taylor square{1 + s * s, 2 * s, Ball(1, peak_bits), Ball(0, peak_bits), Ball(0, peak_bits)};
   const Taylor alpha = taylor_angle(s, square);

@@ -1,11 +1,12 @@
-// Galin's pressure over that of a triangle is 2A (w/(2-w))^eps with 2A = sin(pi eps)/(pi eps (1-eps)), eps = 1/2 - alpha:
-// 1 <= 2A <= 1 + eps. For y = pi eps >= 0 the alternating series has y - y^3/6 <= sin y <= y - y^3/6 + y^5/120, so that
+// Galin's pressure divided by that of a triangle is 2A (w/(2-w))^eps with 2A = sin(pi eps)/(pi eps (1-eps)),
+// eps = 1/2 - alpha: 1 <= 2A <= 1 + eps. For y = pi eps >= 0 the alternating series gives
+// y - y^3/6 <= sin y <= y - y^3/6 + y^5/120. Therefore
 //
-//   1 - eps <= 1 - pi^2 eps^2/6                              where eps pi^2/6 <= 1,
-//   1 - pi^2 eps^2/6 + pi^4 eps^4/120 <= (1-eps) (1+eps)     where eps^2 pi^4/120 <= pi^2/6 - 1, and so where
-//                                                            eps pi^2/6 <= 1: 36/120 < 9/6 - 1,
+//   1 - eps <= 1 - pi^2 eps^2/6                              if eps pi^2/6 <= 1,
+//   1 - pi^2 eps^2/6 + pi^4 eps^4/120 <= (1-eps) (1+eps)     if eps^2 pi^4/120 <= pi^2/6 - 1. This follows from
+//                                                            eps pi^2/6 <= 1, because 36/120 < 9/6 - 1.
 //
-// monotone in eps, and so decided at the largest, down to eps = 0.
+// The condition eps pi^2/6 <= 1 is monotone in eps. It is decided at the largest eps and then holds down to eps = 0.
 
 #include "proofs_checks/enclosures/enclosure_list.hpp"
 
@@ -25,7 +26,7 @@ Decision between(const Box& box) {
   return {small ? Truth::yes : Truth::unknown, {"`1 <= sin(pi eps)/(pi eps (1-eps)) <= 1 + eps`"}};
 }
 
-/// Refuted at the largest eps, below 1: is 2A <= 1 + slope eps, or >= with `at_least`?
+/// Wrong variant: 2A <= 1 + slope eps, or >= with `at_least`. `no` if it fails at the largest eps, which is below 1.
 Enclosure::Decide bound_at_largest(const Rational& slope, bool at_least) {
   return [=](const Box& box) -> Decision {
     const Ball eps = largest(box);

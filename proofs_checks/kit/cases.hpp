@@ -1,6 +1,6 @@
 #pragma once
-// The parameters at which a claim is examined: a grid and random ones, both cut for a quick run and where more digits
-// make each case dearer.
+// The parameters at which a claim is examined: a grid and random values. A quick run examines fewer of them. So does a
+// run with more digits, because each case then costs more.
 
 #include <algorithm>
 #include <any>
@@ -19,10 +19,10 @@ namespace steadyslide::proofs_checks {
 template <class Case>
 struct CaseList {
   std::vector<Case> cases;
-  std::string detail;  ///< where they come from, seed included
+  std::string detail;  ///< the origin of the cases, with the seed
 };
 
-/// The same without its type, for the runner.
+/// A case without its type, for the runner.
 using CaseData = std::shared_ptr<const void>;
 struct ExaminedCase {
   CaseData data;
@@ -34,7 +34,8 @@ struct Examples {
 };
 using CaseSource = std::function<Examples(const Context&)>;
 
-/// list(context) is a CaseList<Case>; a case is named by text_of(c), or else by its member `name`.
+/// Returns a CaseSource that calls list(context), which returns a CaseList<Case>. The name of a case c is text_of(c) if
+/// this function exists, otherwise c.name.
 template <class Case, class List>
 CaseSource case_source(List list) {
   return [list = std::move(list)](const Context& context) {
@@ -53,10 +54,10 @@ CaseSource case_source(List list) {
   };
 }
 
-/// In which number type a claim is examined, for a run at a number of digits.
+/// The number type in which a claim is examined, given the digits of the run.
 enum class Precision {
   as_asked,
-  quick_in_double,  ///< double in a quick run: where principal values or solved problems take their time
+  quick_in_double,  ///< double in a quick run: for slow principal values and solved problems
   at_least_fifty,
   in_double
 };
@@ -69,14 +70,14 @@ inline numeric::Digits digits_at(Precision precision, const Context& context) {
   }
 }
 
-/// How many of something, by the number of digits.
+/// A number of cases for each number of digits.
 struct CountByDigits {
   std::size_t sixteen;
   std::size_t fifty;
   std::size_t hundred;
 };
 
-/// One in a quick run, but in double.
+/// Returns the number of cases for the context's digits. A quick run with more than double's digits gets one case.
 inline std::size_t count_for(const Context& context, const CountByDigits& count) {
   if (context.quick && context.digits != numeric::Digits::sixteen) return 1;
   switch (context.digits) {
@@ -86,7 +87,7 @@ inline std::size_t count_for(const Context& context, const CountByDigits& count)
   }
 }
 
-/// All of these, in a quick run the first `quick` of them.
+/// Returns a function of the context. It returns all cases, or the first `quick` ones in a quick run.
 template <class Case>
 auto fixed_cases(std::vector<Case> all, std::size_t quick, std::string detail) {
   return [=](const Context& context) {
@@ -95,7 +96,7 @@ auto fixed_cases(std::vector<Case> all, std::size_t quick, std::string detail) {
   };
 }
 
-/// The same, counted: "7 solved problems".
+/// Returns fixed_cases() for this context; the detail begins with their number: "7 solved problems".
 template <class Case>
 CaseList<Case> first_when_quick(const Context& context, std::vector<Case> all, std::size_t quick,
                                 const std::string& what) {
@@ -104,8 +105,8 @@ CaseList<Case> first_when_quick(const Context& context, std::vector<Case> all, s
   return list;
 }
 
-/// What is made once for a case and serves a claim and all its controls. Cases stay where they are for as long as their
-/// claim lives.
+/// Results that are computed once for a case and then serve a claim and all its controls. The address of a case
+/// identifies it: cases do not move while their claim exists.
 class KeptForCases {
  public:
   template <class Case, class Make>
@@ -119,8 +120,8 @@ class KeptForCases {
   std::map<const void*, std::any> kept_;
 };
 
-/// `grid` (every 4th of it in a quick run in double, every 16th in one with more digits), then `count` times
-/// make(random), one of them in a quick run.
+/// Returns the cases of `grid`, then `count` random cases make(random). A quick run takes one random case, and every
+/// 4th case of the grid in double, every 16th with more digits.
 template <class Case, class Make>
 CaseList<Case> grid_and_random(const Context& context, std::string_view stream, const std::vector<Case>& grid,
                                const CountByDigits& count, const Make& make) {
@@ -137,7 +138,8 @@ CaseList<Case> grid_and_random(const Context& context, std::string_view stream, 
   return list;
 }
 
-/// make(random, k) for k = 0, 1, ..., so many of them; fewer in a quick run. `what`: "random polynomials".
+/// Returns the cases make(random, k) for k = 0, ..., count - 1, or count_when_quick of them in a quick run. `what`
+/// describes them: "random polynomials".
 template <class Make>
 auto random_cases(const Context& context, std::string_view stream, std::size_t count, std::size_t count_when_quick,
                   const std::string& what, const Make& make) {

@@ -1,6 +1,7 @@
 #pragma once
-// A claim: a statement with its place in the paper, the check that examines it, and its controls: wrong variants of the
-// formula that the same check must refute. A check that lets a control pass has checked nothing.
+// A claim: a statement with its place in the paper, the check that examines it, and its controls. Controls are wrong
+// variants of the formula, and the same check must refute them. A check that accepts a wrong variant has checked
+// nothing.
 
 #include <cstdint>
 #include <functional>
@@ -15,28 +16,30 @@ namespace steadyslide::proofs_checks {
 
 struct Context {
   numeric::Digits digits = numeric::Digits::fifty;
-  std::uint64_t seed = 1;  ///< of the random parameters
-  bool quick = false;      ///< fewer parameters
+  std::uint64_t seed = 1;  ///< seed of the random parameters
+  bool quick = false;      ///< examine fewer parameters
 };
 
-/// Deterministic for a context. May throw: that leaves the claim undecided.
+/// Returns the same evidence for the same context. If it throws, the claim stays undecided.
 using Examination = std::function<std::vector<Evidence>(const Context&)>;
 
 struct Control {
-  std::string name;  ///< what is wrong in it
+  std::string name;  ///< the mistake in this variant
   Examination examine;
 };
 
 struct Claim : ClaimText {
   Examination examine;
   std::vector<Control> controls;
-  std::string group = {};  ///< its place in the paper, the folder of its source: "theorem-3"
+  std::string group = {};  ///< the folder of the claim's source, named after its place in the paper: "theorem-3"
 };
 
-/// The words, whatever stands under "Proof" in them.
+/// Returns the claim with its text alone, without check and controls. with_proof() adds the check of a proof in the
+/// text.
 Claim words_alone(std::string_view id);
 
-/// A statement that no calculation decides, as its text says: it stays undecided, and is listed as such.
+/// Returns the claim for a statement that no calculation decides. Its text gives the reason. It stays undecided and is
+/// listed as beyond calculation.
 Claim beyond_calculation(std::string_view id);
 
 }  // namespace steadyslide::proofs_checks

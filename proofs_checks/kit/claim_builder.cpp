@@ -7,7 +7,7 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-/// Moves what is predicted of one quantity as little as a check has to notice.
+/// Changes the predicted value of one quantity by the smallest amount that a check must notice.
 void miss(Values& predicted, const Quantity& quantity, const Number& precision_step) {
   const std::string& name = quantity.name;
   const Number step = quantity.tolerance != 0 ? Number(10 * quantity.tolerance) : precision_step;
@@ -39,7 +39,7 @@ void compare(Findings& findings, const Quantity& quantity, const Value& measured
   }
 }
 
-/// A claim that remembers its cases, so that what is kept for a case serves all controls.
+/// A claim with its cases, which are made once. Therefore results kept for a case serve all controls.
 class Runner {
  public:
   explicit Runner(ExaminedClaim claim) : claim_(std::move(claim)), text_(claim_text(claim_.id)) {}
@@ -102,7 +102,7 @@ void compare(Findings& findings, const Values& measured, const Values& predicted
     const Value* b = predicted.find(quantity.name);
     if (a && b) {
       compare(findings, quantity, *a, *b);
-    } else if (a || b) {  // neither: the case is not one of this quantity
+    } else if (a || b) {  // neither: this case does not have the quantity
       findings.skip(quantity);
     }
   }

@@ -1,9 +1,9 @@
 #pragma once
-// How claims are said: cases, a formula, a check, and controls. A control is the formula with something in it changed, or
-// cases that the hypotheses exclude. What is compared stands in the claim's text.
+// Builds claims from cases, a formula, a check, and controls. A control is the formula with one change in it, or cases
+// that the hypotheses exclude. The claim's text lists the compared quantities.
 //
-// The form in which most are said: what is measured knows no formula, what is predicted knows no measurement, and a
-// control changes the prediction alone.
+// Most claims compare measured and predicted values. The measurement uses no formula, the prediction uses no
+// measurement, and a control changes the prediction alone.
 //
 //   Claim rem_01_neglect() {
 //     return compared<Parabola>("rem-01-neglect")
@@ -14,10 +14,11 @@
 //         .near_misses();
 //   }
 //
-// Measurements are made once for a claim and all its controls. A case in which either side lacks a quantity counts as
-// one without effect: too many of them, and nothing is shown.
+// Measurements are made once for a claim and all its controls. A case in which one side lacks a quantity counts as a
+// case without effect. Too many such cases leave the claim undecided.
 //
-// Others put a formula into equations: the check is handed a formula and knows no other, the formula knows no check.
+// Other claims put a formula into equations. The check receives the formula as an argument and uses no other; the
+// formula does not depend on the check.
 //
 //   Claim eq_04_flat_punch() {
 //     return formula_claim<ContactProblem, PowerForm>("eq-04-flat-punch")
@@ -39,15 +40,15 @@
 
 namespace steadyslide::proofs_checks {
 
-/// The runner's view of a claim: cases and formula without their types, functions without their precision.
+/// A claim as the runner sees it: cases and formula without their types, functions without their precision.
 struct ExaminedClaim {
-  /// Changes a formula; `step`: what a near miss moves, ten times the tolerance.
+  /// Changes a formula. `step` is the size of a near miss, ten times the tolerance.
   using Change = std::function<void(void* formula, const Number& step, const void* data)>;
   using Examine = std::function<void(Findings&, const void* data, const Context&, const Change&, const Number& step)>;
   struct Variant {
     std::string name;
     Change change;
-    CaseSource cases;  ///< empty: the claim's
+    CaseSource cases;  ///< if empty, the cases of the claim
   };
 
   std::string id;
@@ -60,15 +61,16 @@ struct ExaminedClaim {
 
 Claim claim_of(ExaminedClaim claim);
 
-/// All that either has; throws std::logic_error where that is no quantity of the claim.
+/// Compares all quantities that both sides have, and skips those that one side lacks. Throws std::logic_error if a
+/// value has the name of no quantity of the claim.
 void compare(Findings& findings, const Values& measured, const Values& predicted);
 
-/// One control for each quantity of the text that has near misses: what is predicted of it, moved by ten times the
-/// tolerance (a decided value: by 1e-94; an order: by twice what it may differ).
+/// Adds one control for each quantity of the text that has near misses. The control changes the predicted value by ten
+/// times the tolerance, a decided value by 1e-94, an order by twice its tolerance.
 void add_near_misses(ExaminedClaim& claim);
 
-/// f(arguments...), at the number type of the context's digits where f has a type parameter, with the context behind
-/// the arguments where f takes one.
+/// Returns f(arguments...). A type parameter of f becomes the number type of the context's digits. If f takes a context
+/// after the arguments, it receives this one.
 template <class F, class... Arguments>
 decltype(auto) called_at(const Context& context, const F& f, Arguments&... arguments) {
   if constexpr (std::is_invocable_v<const F&, Arguments&...>) {
@@ -84,19 +86,21 @@ decltype(auto) called_at(const Context& context, const F& f, Arguments&... argum
   }
 }
 
-/// A claim, said step by step, about cases and a formula of these types. It becomes a Claim where one is asked for.
+/// A claim built step by step from cases and a formula of these types. It converts to Claim.
 template <class Case, class Form>
 class ClaimBuilder {
  public:
   explicit ClaimBuilder(std::string id) { claim_.id = std::move(id); }
 
-  /// list(const Context&) is a CaseList<Case>; a case is named by text_of(c), or else by its member `name`.
+  /// Sets the cases: list(const Context&) returns a CaseList<Case>. The name of a case c is text_of(c) if this function
+  /// exists, otherwise c.name.
   template <class List>
   ClaimBuilder&& cases(List list) && {
     claim_.cases = case_source<Case>(std::move(list));
     return std::move(*this);
   }
-  /// At the others the statement says nothing special (a jump of height zero).
+  /// Sets the condition for effective cases. At the other cases the statement says nothing special (a friction jump of
+  /// height zero).
   ClaimBuilder&& effective_where(std::function<bool(const Case&)> effective) && {
     claim_.effective = [effective = std::move(effective)](const void* data) { return effective(case_of(data)); };
     return std::move(*this);
@@ -105,8 +109,8 @@ class ClaimBuilder {
     claim_.precision = precision;
     return std::move(*this);
   }
-  /// The formula: formula(const Case&), called as called_at() says; Form() if nothing is said. Of values that are
-  /// compared, what is predicted.
+  /// Sets the formula, formula(const Case&), called by called_at(). The default is Form(). In a comparison of values,
+  /// the formula is the prediction.
   template <class Formula>
   ClaimBuilder&& says(Formula formula) && {
     formula_ = [formula = std::move(formula)](const Case& c, const Context& context) -> Form {
@@ -118,7 +122,7 @@ class ClaimBuilder {
   ClaimBuilder&& predicted(Formula formula) && {
     return std::move(*this).says(std::move(formula));
   }
-  /// check(Findings&, const Form&, const Case&), called as called_at() says.
+  /// Sets the check, check(Findings&, const Form&, const Case&), called by called_at().
   template <class Check>
   ClaimBuilder&& checked(Check check) && {
     check_ = [check = std::move(check)](Findings& findings, const Form& form, const Case& c, const Context& context) {
@@ -126,8 +130,8 @@ class ClaimBuilder {
     };
     return std::move(*this);
   }
-  /// measure(const Case&), called as called_at() says, makes the values that the predicted ones are compared with: once
-  /// for the claim and all its controls.
+  /// Sets the measurement, measure(const Case&), called by called_at(). It returns the values that the predicted ones
+  /// are compared with, and runs once for the claim and all its controls.
   template <class Measure>
   ClaimBuilder&& measured(Measure measure) && {
     check_ = [measure = std::move(measure), kept = std::make_shared<KeptForCases>()](
@@ -137,7 +141,7 @@ class ClaimBuilder {
     return std::move(*this);
   }
 
-  /// change(Form&) or change(Form&, const Case&) makes a wrong formula.
+  /// Adds a control: change(Form&) or change(Form&, const Case&) makes the formula wrong.
   template <class Change>
   ClaimBuilder&& wrong(std::string name, Change change) && {
     return control(std::move(name), [change = std::move(change)](Form& form, const Number&, const Case& c) {
@@ -148,20 +152,20 @@ class ClaimBuilder {
       }
     });
   }
-  /// A formula with another value of a member is wrong.
+  /// Adds a control: the formula with another value of a member.
   template <class Member, class Value>
   ClaimBuilder&& wrong(std::string name, Member member, Value value) && {
     return std::move(*this).wrong(std::move(name),
                                   [member, value = std::move(value)](Form& form) { form.*member = value; });
   }
-  /// The statement is wrong at these cases, which its hypotheses exclude.
+  /// Adds a control: the statement at cases that its hypotheses exclude, where it is wrong.
   template <class List>
   ClaimBuilder&& wrong_beyond(std::string name, List list) && {
     claim_.controls.push_back({std::move(name), {}, case_source<Case>(std::move(list))});
     return std::move(*this);
   }
-  /// change(Form&, const Number& step), or with a const Case& behind these, moves one value by `step`; a member is
-  /// moved by this part of itself.
+  /// Adds a near miss: change(Form&, const Number& step), or the same with a const Case& as third argument, changes one
+  /// value by `step`. A pointer to a member multiplies the member by 1 + step.
   template <class Change>
   ClaimBuilder&& near_miss(const std::string& name, Change change) && {
     return control("near miss: " + name + " moved by ten times the tolerance",
@@ -175,7 +179,7 @@ class ClaimBuilder {
                      }
                    });
   }
-  /// Of values: add_near_misses().
+  /// Adds the near misses of add_near_misses() to a comparison of values.
   ClaimBuilder&& near_misses() && {
     add_near_misses(claim_);
     return std::move(*this);
@@ -196,7 +200,7 @@ class ClaimBuilder {
  private:
   static const Case& case_of(const void* data) { return *static_cast<const Case*>(data); }
 
-  /// change(Form&, const Number& step, const Case&).
+  /// Adds a control that calls change(Form&, const Number& step, const Case&).
   template <class Change>
   ClaimBuilder&& control(std::string name, Change change) {
     claim_.controls.push_back({std::move(name),
@@ -229,7 +233,7 @@ FormulaClaim<Case, Form> formula_claim(std::string id) {
   return FormulaClaim<Case, Form>(std::move(id));
 }
 
-/// What is measured or predicted of one quantity: f(case) at the number type of the context's digits.
+/// Returns a measurement or prediction of one quantity: f(case) in the number type of the context's digits.
 template <class F>
 auto one_value(std::string name, F f) {
   return [name = std::move(name), f = std::move(f)]<numeric::Real R>(const auto& c) {
@@ -237,8 +241,8 @@ auto one_value(std::string name, F f) {
   };
 }
 
-/// Changes of a prediction for ClaimBuilder::wrong(). The numbers of these names, those that are there, times a factor: a
-/// number, or factor(case).
+/// Returns a change of a prediction, for ClaimBuilder::wrong(). It multiplies the numbers with these names, if present,
+/// by a factor: a number, or factor(case).
 template <class Factor>
 auto scaled(std::vector<std::string> names, Factor factor) {
   return [names = std::move(names), factor = std::move(factor)](Values& p, const auto& c) {
@@ -249,7 +253,7 @@ auto scaled(std::vector<std::string> names, Factor factor) {
     }
   };
 }
-/// Other values in place of those of these names.
+/// Returns a change of a prediction that replaces the values with the same names, if present.
 inline auto replaced(Values values) {
   return [values = std::move(values)](Values& p) { p.set(values); };
 }

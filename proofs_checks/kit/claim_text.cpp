@@ -11,7 +11,7 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-/// "tolerance 1e-8, absolute".
+/// Reads how a quantity is compared, "tolerance 1e-8, absolute", into `how`.
 void set_how(Quantity& how, const std::string& text) {
   for (const std::string& item : items_of(text)) {
     const auto number = [&item](const std::string& name, double& value) {
@@ -52,7 +52,7 @@ void read_row(ClaimText& text, std::string_view row) {
 ClaimText parse_claim_text(std::string_view document) {
   ClaimText text;
   std::string nowhere;
-  std::string* part = &nowhere;  // null: within a proof; behind a table there are no words
+  std::string* part = &nowhere;  // null: inside a proof. After a table no words are allowed.
   std::string in_its_place;
   std::vector<std::string_view> proof;
   const std::array<std::pair<std::string_view, std::string*>, 7> parts{
@@ -70,7 +70,7 @@ ClaimText parse_claim_text(std::string_view document) {
       text.source = line.substr(line.find(": ") + 2);
       continue;
     }
-    // "**Statement.** Words", with which a part begins.
+    // A part begins with its title: "**Statement.** Words".
     if (const std::size_t end = line.find(".** "); line.starts_with("**") && end != std::string_view::npos) {
       const auto found = std::ranges::find(parts, line.substr(2, end - 2), [](const auto& p) { return p.first; });
       if (found == parts.end()) throw std::logic_error(text.id + ": no such part of a claim: " + std::string(line));

@@ -1,14 +1,14 @@
 #pragma once
-// The words of a claim. They stand in a Markdown file beside its source, named like it, and are compiled in; where one
-// of the last four parts says it all, there is no source:
+// The text of a claim: a Markdown file beside its source and with the same name, compiled into the program. A text with
+// one of the parts "decided about", Proof, Convergence or Beyond calculation needs no source:
 //
-//   # rem-01-neglect: [Bal16, remark 1]: of what it speaks
+//   # rem-01-neglect: [Bal16, remark 1]: the subject
 //
 //   **Statement.** Our own words, with the formula.
 //
 //   **Hypotheses.** ...
 //
-//   **Derivation.** How it follows; absent where no calculation says.
+//   **Derivation.** How the statement follows; absent if no calculation gives it.
 //
 //   | compared | what | measured by | predicted by | how |
 //   |---|---|---|---|---|
@@ -20,17 +20,19 @@
 //
 //   **Proof.** Concludes ...                facts that follow from each other (proof/proof_text.hpp)
 //
-//   **Convergence.** jump-up                on cells: the problem of convergence_cases() that is studied
+//   **Convergence.** jump-up                the problem of convergence_cases() that is studied on cells
 //
-//   **Beyond calculation.** ...             why no calculation decides it
+//   **Beyond calculation.** ...             the reason why no calculation decides it
 //
-//   **Checked in its place.** rh-load, ...  the ids of claims that check what follows from it
+//   **Checked in its place.** rh-load, ...  ids of claims that check consequences of it
 //
-// The first table has the numbers that the check compares, and the routes to them; the second the statements of the
-// symbolic layer, by their ids, with all the wrong variants that it has of them. Lines of text are joined. A bar within a
-// cell is written \|; where only one value is said to be true, both routes stay empty. How numbers are compared: of
-// `tolerance 1e-8`, `absolute`, `at most`, `required 0.4` and `no near miss` what Quantity says; the column may be absent.
-// Formulas stand between backticks, in the notation of docs/theory.md: readable as they are, typeset in the report.
+// The first table lists the compared numbers and the two routes to each. Both routes stay empty if the check only
+// decides if a value is true. The last column gives the comparison: `tolerance 1e-8`, `absolute`, `at most`,
+// `required 0.4` and `no near miss` set the members of Quantity. This column may be absent.
+//
+// The second table lists statements of the symbolic layer by their ids, with all wrong variants that this layer has of
+// them. Lines of text are joined. A bar inside a cell is written \|. Formulas stand between backticks, in the notation
+// of docs/theory.md: readable as they are, typeset in the report.
 
 #include <string>
 #include <string_view>
@@ -40,29 +42,32 @@
 
 namespace steadyslide::proofs_checks {
 
-/// A quantity that unrelated routes have to agree on, and how it is compared.
+/// A quantity on which unrelated routes must agree, and how their values are compared.
 struct Quantity {
   std::string what;
-  std::vector<std::string> routes = {};  ///< that of the measurement, that of the prediction; or none
-  /// Of numbers: that of the precision if a claim's text has none. Of orders: the largest difference of rates. Of fits: of
-  /// error bars.
+  std::vector<std::string> routes = {};  ///< the route of the measurement and the route of the prediction, or none
+  /// The allowed difference. For a number: relative, unless `absolute`; 0 stands for the tolerance of the precision.
+  /// For an order: the largest difference of rates. For a fitted number: the number of error bars.
   double tolerance = 0;
-  double required = 0.5;  ///< the part of the cases that has to be effective
-  bool absolute = false;  ///< the difference itself, not relative to the larger value: where zero is predicted
-  bool at_most = false;   ///< the prediction is a bound of what is measured
+  double required = 0.5;  ///< the part of the cases that must be effective
+  /// Compares the difference itself, not relative to the larger value. Needed if the prediction is zero.
+  bool absolute = false;
+  bool at_most = false;   ///< the prediction is an upper bound of the measurement
   bool near_miss = true;  ///< false for truth values and for bounds that are not attained
-  std::string name = {};  ///< in the check
+  std::string name = {};  ///< the name in the check
 };
 
 /// Statements of the symbolic layer that share their wrong variants.
 struct Family {
-  std::string about;                  ///< opens the names of the controls
-  std::vector<std::string> ids;       ///< of the statements; what ends with "-" is the beginning of several
-  std::vector<std::string> variants;  ///< what is wrong, in the words of the symbolic layer: all that it has
+  std::string about;  ///< the names of the controls begin with it
+  /// The ids of the statements. An id that ends with "-" stands for all statements whose ids begin with it.
+  std::vector<std::string> ids;
+  /// The mistake in each wrong variant, in the words of the symbolic layer. The list is complete.
+  std::vector<std::string> variants;
 };
 
 struct ClaimText {
-  std::string id;      ///< permanent: "eq-04-flat-punch"
+  std::string id;      ///< permanent id: "eq-04-flat-punch"
   std::string source;  ///< "[Bal16, (4)]: ..."
   std::string statement;
   std::string hypotheses;
@@ -75,10 +80,10 @@ struct ClaimText {
   std::vector<std::string> checked_in_its_place = {};
 };
 
-/// Throws std::logic_error if the document does not have this form.
+/// Returns the parts of the document. Throws std::logic_error if it does not have this form.
 ClaimText parse_claim_text(std::string_view document);
 
-/// The text of the claim with this id. Throws std::logic_error if there is none.
+/// Returns the text of the claim with this id. Throws std::logic_error if there is none.
 ClaimText claim_text(std::string_view id);
 
 }  // namespace steadyslide::proofs_checks

@@ -1,5 +1,5 @@
 #pragma once
-// What an examination of a claim brings back. Evidence is typed, so that a verdict is earned and not asserted.
+// The result of an examination of a claim. Evidence has types, so that rules decide the verdict and nobody asserts it.
 
 #include <cstddef>
 #include <string>
@@ -11,27 +11,28 @@
 
 namespace steadyslide::proofs_checks {
 
-/// Equalities decided exactly: as rational functions of independent symbols, or by exact arithmetic on exponents. They
-/// support: what they mean for the claim is for a proof to say.
+/// Equations decided exactly: as rational functions of independent symbols, or by exact arithmetic on exponents. They
+/// support a claim. Only a proof can show that the claim follows from them.
 struct ExactIdentity {
   std::string detail;
   std::vector<std::string> identities;
 };
 
-/// Unrelated routes to one number agreed to the tolerance, case by case.
+/// Unrelated routes to one number that agreed within the tolerance in each case.
 struct Agreement {
   std::string what;
   std::vector<std::string> routes;
-  std::string worst;      ///< the largest relative difference
-  std::string tolerance;  ///< what it had to stay below
-  std::size_t cases = 0;  ///< parameters examined
-  std::size_t effective =
-      0;  ///< those at which the statement says something (a jump that is one, a rule that converged)
-  std::size_t required = 1;  ///< with fewer effective cases nothing is shown
-  std::string detail;        ///< where the cases come from, seed included
+  std::string worst;      ///< the largest difference
+  std::string tolerance;  ///< the allowed difference
+  std::size_t cases = 0;  ///< examined cases
+  /// Cases at which the statement says something: a friction jump of nonzero height, a rule that converged.
+  std::size_t effective = 0;
+  std::size_t required = 1;  ///< with fewer effective cases the agreement shows nothing
+  std::string detail;        ///< the origin of the cases, with the seed
 };
 
-/// An error that falls as a power of the number of cells: it should be within `tolerance` of the power expected.
+/// An error that falls as a power of the number of cells. The measured power should be within `tolerance` of the
+/// expected one.
 struct ConvergenceRate {
   std::string what;
   double measured = 0;
@@ -41,25 +42,27 @@ struct ConvergenceRate {
   std::string detail;
 };
 
-/// The statement fails here.
+/// A case in which the statement is wrong.
 struct Counterexample {
   std::string where;  ///< the parameters
   std::string detail;
 };
 
-/// No calculation decides the statement: an abstract existence proof, or one that the text at hand does not contain.
+/// A statement that no calculation decides: an abstract existence proof, or one whose proof the available text does not
+/// contain.
 struct BeyondCalculation {
   std::string reason;
-  std::vector<std::string> consequences;  ///< ids of the claims that check what follows from it and can be calculated
+  /// Ids of the claims that check consequences of the statement; these can be calculated.
+  std::vector<std::string> consequences;
 };
 
 using Evidence =
     std::variant<CheckedProof, ExactIdentity, Agreement, ConvergenceRate, Counterexample, BeyondCalculation>;
 
-/// "proof", "exact-identity", "agreement", "convergence-rate", "counterexample", "beyond-calculation".
+/// Returns "proof", "exact-identity", "agreement", "convergence-rate", "counterexample" or "beyond-calculation".
 std::string_view kind_of(const Evidence& evidence);
 
-/// One line for a reader, with the numbers; formulas have no backticks.
+/// Returns one line for a reader, with the numbers. Formulas have no backticks.
 std::string describe(const Evidence& evidence);
 
 }  // namespace steadyslide::proofs_checks

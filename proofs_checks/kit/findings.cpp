@@ -39,7 +39,7 @@ Findings::Tally& Findings::tally(const Quantity& quantity, bool effective) {
 }
 
 void Findings::compare(const Quantity& quantity, double difference) {
-  // Not a comparison the other way round: NaN must fail.
+  // This comparison also fails for NaN; the opposite comparison would accept it.
   if (!(difference <= quantity.tolerance)) {
     throw Refutation{{where_, quantity.what + ": relative difference " + short_text(difference) +
                                   " exceeds the tolerance " + short_text(quantity.tolerance)}};

@@ -1,5 +1,5 @@
 #pragma once
-// What a check gathers while it walks through its cases. The first counterexample ends the walk.
+// The results that a check collects from its cases. The first counterexample ends the check.
 
 #include <string>
 #include <type_traits>
@@ -10,12 +10,12 @@
 
 namespace steadyslide::proofs_checks {
 
-/// Thrown inside a check by Findings, caught by gather().
+/// The exception by which Findings ends a check at a counterexample. gather() catches it.
 struct Refutation {
   Counterexample counterexample;
 };
 
-/// |a - b| / max(|a|, |b|).
+/// Returns |a - b| / max(|a|, |b|).
 template <Real R>
 double relative_difference(const R& a, const R& b) {
   using std::abs, std::max;
@@ -26,17 +26,18 @@ double relative_difference(const R& a, const R& b) {
 class Findings {
  public:
   Findings() = default;
-  /// These are compared by name.
+  /// Takes the quantities that are compared by name.
   explicit Findings(std::vector<Quantity> quantities) : quantities_(std::move(quantities)) {}
 
   const std::vector<Quantity>& quantities() const { return quantities_; }
-  /// Throws std::logic_error if there is none of this name.
+  /// Returns the quantity of this name. Throws std::logic_error if there is none.
   const Quantity& quantity(std::string_view name) const;
 
-  /// The next case; not effective: the statement says nothing special there (a jump of height zero).
+  /// Begins the next case. It is not effective if the statement says nothing special there (a friction jump of height
+  /// zero).
   void begin_case(std::string where, bool effective = true);
 
-  /// A relative difference. Throws Refutation unless it is a number within the tolerance.
+  /// Records a difference. Throws Refutation unless it is a number within the tolerance.
   void compare(const Quantity& quantity, double difference);
   template <Real R>
   void compare(const Quantity& quantity, const R& difference) {
@@ -46,7 +47,7 @@ class Findings {
   void compare(std::string_view name, const R& difference) {
     compare(quantity(name), static_cast<double>(difference));
   }
-  /// Two values, as the quantity says.
+  /// Compares two values in the way that the quantity prescribes.
   template <Real R>
   void compare(std::string_view name, const R& value, const R& other) {
     using std::abs;
@@ -55,24 +56,24 @@ class Findings {
                : q.absolute                ? static_cast<double>(R(abs(value - other)))
                                            : relative_difference(value, other));
   }
-  /// Two values by their difference over `size`, where either may vanish.
+  /// Compares two values by their difference over `size`; use it if a value may vanish.
   template <Real R>
   void compare(std::string_view name, const R& value, const R& other, const std::type_identity_t<R>& size) {
     using std::abs;
     compare(quantity(name), static_cast<double>(R(abs(value - other) / size)));
   }
-  /// No value from a route in this case: it counts as a case without effect.
+  /// Records that a route has no value in this case. The case counts as one without effect.
   void skip(const Quantity& quantity);
   void skip(std::string_view name) { skip(quantity(name)); }
-  /// An exact decision. Throws Refutation unless it holds.
+  /// Records an exact decision. Throws Refutation unless it holds.
   void decide(const std::string& statement, bool holds);
-  /// How fast an error falls. Throws Refutation if the rate refutes.
+  /// Records a rate of convergence. Throws Refutation if the rate refutes.
   void measure(ConvergenceRate rate);
-  /// A requirement that is not evidence by itself. Throws Refutation unless it holds.
+  /// Checks a requirement that is not evidence by itself. Throws Refutation unless it holds.
   void require(bool holds, const std::string& what_fails);
 
-  /// One piece of evidence for each quantity and each rate, and one for all exact decisions; `cases` says where the
-  /// cases come from.
+  /// Returns one piece of evidence for each quantity and each rate, and one for all exact decisions. `cases` describes
+  /// the origin of the cases.
   std::vector<Evidence> evidence(const std::string& cases) const;
 
  private:
@@ -84,18 +85,18 @@ class Findings {
     std::size_t last_case = 0;
     Quantity quantity;
   };
-  /// Counts the case, once.
+  /// Returns the quantity's tally after it has counted the current case, once.
   Tally& tally(const Quantity& quantity, bool effective);
 
   std::size_t case_number_ = 0;
   bool effective_ = true;
   std::string where_;
-  std::vector<Tally> tallies_;  // few: in the order in which they came
+  std::vector<Tally> tallies_;  // few; in the order of their first comparison
   std::vector<std::pair<std::string, std::size_t>> decisions_;
   std::vector<ConvergenceRate> rates_;
 };
 
-/// Runs a walk; its evidence, or the counterexample that ended it.
+/// Returns the evidence of a walk through cases, or the counterexample that ended it.
 template <class Walk>
 std::vector<Evidence> gather(Walk walk) {
   try {
@@ -105,16 +106,16 @@ std::vector<Evidence> gather(Walk walk) {
   }
 }
 
-/// "3.1e-52"
+/// Returns two significant digits, "3.1e-52".
 std::string short_text(double value);
 
-/// Relative tolerance of every numerical claim.
+/// Returns the relative tolerance of a quantity whose text gives none.
 template <Real R>
 double tolerance() {
   return std::same_as<R, double> ? 1e-12 : std::same_as<R, Real50> ? 1e-45 : 1e-95;
 }
 
-/// Ten times the tolerance: a near miss.
+/// Returns the size of a near miss, ten times the tolerance.
 template <Real R>
 R near_miss() {
   return R(10) * R(tolerance<R>());

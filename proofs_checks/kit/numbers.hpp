@@ -1,6 +1,6 @@
 #pragma once
-// The words that claims and instruments take from the numeric layer: its numbers, exact data turned into them,
-// tractions panel by panel, and the two rules that every traction is put to.
+// Names that claims and instruments take from the numeric layer: numbers, exact data converted to them, tractions on
+// panels, and the two quadrature rules that are applied to every traction.
 
 #include "numeric/number/polynomial.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
@@ -23,7 +23,7 @@ using numeric::value_of;
 namespace tanh_sinh = numeric::tanh_sinh;
 namespace trapezoidal = numeric::trapezoidal;
 
-/// Every number of the numeric layer is one of these, exactly.
+/// The type that holds every number of the numeric layer exactly.
 using Number = Real100;
 
 }  // namespace steadyslide::proofs_checks

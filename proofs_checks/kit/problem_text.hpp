@@ -1,5 +1,5 @@
 #pragma once
-// A contact problem in one line, which names it in evidence.
+// A contact problem as one line of text, which names it in evidence.
 
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace steadyslide::proofs_checks {
 
-/// "nu = 3/10, f = 1/5, 3/5, jumps at 0, load 1, psi = x^2 on [-1, 1]"
+/// Returns "nu = 3/10, f = 1/5, 3/5, jumps at 0, load 1, psi = x^2 on [-1, 1]".
 std::string text_of(const ContactProblem& problem);
 
 }  // namespace steadyslide::proofs_checks

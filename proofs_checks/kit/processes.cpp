@@ -22,7 +22,7 @@ namespace {
 
 [[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
 
-/// False where the other side has gone.
+/// Returns false if the other process has closed the socket.
 bool send_all(int socket, const char* bytes, std::size_t size) {
   while (size > 0) {
     const ssize_t sent = ::send(socket, bytes, size, MSG_NOSIGNAL);
@@ -45,7 +45,8 @@ bool receive_all(int socket, char* bytes, std::size_t size) {
   return true;
 }
 
-/// Numbers of tasks come in, bytes go out, until the other side closes. False where that was too early.
+/// Receives numbers of tasks and sends their bytes until the other process closes the socket. Returns false if it
+/// closed before it received the bytes of a task.
 bool answer(int socket, const Task& task) noexcept {
   std::size_t index = 0;
   while (receive_all(socket, reinterpret_cast<char*>(&index), sizeof index)) {
@@ -57,13 +58,13 @@ bool answer(int socket, const Task& task) noexcept {
   return true;
 }
 
-/// A process that does tasks. Destruction ends it.
+/// A child process that runs tasks. The destructor ends it.
 class Worker {
  public:
   explicit Worker(const Task& task) {
     int sockets[2];
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets) != 0) fail("no socket for a process");
-    std::fflush(nullptr);  // else what waits to be written would be written twice
+    std::fflush(nullptr);  // otherwise both processes would write what the buffers hold
     const pid_t parent = ::getpid();
     child_ = ::fork();
     if (child_ == 0) {
@@ -81,7 +82,7 @@ class Worker {
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
   ~Worker() {
-    ::shutdown(socket_, SHUT_RDWR);  // closing is not enough: later processes have a copy
+    ::shutdown(socket_, SHUT_RDWR);  // closing alone is not enough: children that start later inherit a copy
     ::close(socket_);
     if (child_ == 0) return;
     if (index) ::kill(child_, SIGKILL);
@@ -89,13 +90,13 @@ class Worker {
   }
 
   int socket() const { return socket_; }
-  std::optional<std::size_t> index;  ///< of its task
+  std::optional<std::size_t> index;  ///< number of the current task
 
   void begin(std::size_t next) {
     index = next;
-    send_all(socket_, reinterpret_cast<const char*>(&next), sizeof next);  // if it has gone, end() says so
+    send_all(socket_, reinterpret_cast<const char*>(&next), sizeof next);  // if the child has died, end() reports it
   }
-  /// Of its task: what it made, or how the process ended.
+  /// Returns the bytes of the current task, or how the process ended.
   TaskEnd end() {
     std::size_t size = 0;
     std::string bytes;
@@ -110,7 +111,7 @@ class Worker {
   bool has_ended() const { return child_ == 0; }
 
  private:
-  /// Waits for its end: "by signal 11", "with exit code 1".
+  /// Waits for the end of the process. Returns how it ended: "by signal 11", "with exit code 1".
   std::string wait() {
     int status = 0;
     while (::waitpid(child_, &status, 0) < 0 && errno == EINTR) {

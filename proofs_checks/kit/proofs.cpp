@@ -50,7 +50,7 @@ CheckedProof checked(const ProofText& text) { return check_proof(text, theory(),
 
 using Evidences = std::vector<Evidence>;
 
-/// As evidence for the opposite: a gap refutes the proof without the step.
+/// Returns the control that leaves out one step of the proof. A gap in the shorter proof refutes it.
 Control without_step(const ProofText& text, std::size_t k) {
   return {"without the step " + text_of(text.steps[k].fact), [text, k](const Context&) -> Evidences {
             ProofText shorter = text;
@@ -77,8 +77,8 @@ Control wrong_enclosure(const Enclosure::Variant& wrong, const Box& box, const s
           }};
 }
 
-/// Wrong variants of what the theory says decides the proof's facts. Families that the claim lists as decided have theirs
-/// among its controls already.
+/// Adds the wrong variants of the identities and enclosures that decide the proof's facts. The wrong variants of the
+/// claim's own decided statements are controls already and are not added again.
 void add_wrong_decisions(std::vector<Control>& controls, const ClaimText& claim) {
   std::set<std::string> seen;
   for (const Family& family : claim.decided) {

@@ -1,8 +1,8 @@
 #pragma once
-// The proofs of the ledger: what a claim's text has under "Proof", checked, and entries that rest on each other.
+// The proofs of the ledger: checks the part "Proof" of a claim's text, and lets entries rest on each other.
 //
-// Controls of a proof: each step left out leaves a gap, so that none is idle; and each wrong variant of what its steps
-// decide is refuted.
+// Controls of a proof: the proof with one step left out must have a gap, so that no step is idle. Each wrong variant of
+// the identities and enclosures that decide its steps must be refuted.
 
 #include <string>
 #include <string_view>
@@ -13,10 +13,12 @@
 
 namespace steadyslide::proofs_checks {
 
-/// Null where the claim has none. A proof that rests on itself has a gap. Throws std::logic_error if there is no such claim.
+/// Returns the checked proof of a claim, or null if it has none. A proof that rests on itself has a gap. Throws
+/// std::logic_error if there is no such claim.
 const CheckedProof* proof_of(std::string_view id);
 
-/// With its proof in front of the evidence, and the proof's controls, where the text has one; else as it is.
+/// Returns the claim with its proof as the first evidence, and with the proof's controls. Returns it unchanged if its
+/// text has no proof.
 Claim with_proof(Claim claim);
 
 }  // namespace steadyslide::proofs_checks

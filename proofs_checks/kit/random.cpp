@@ -5,7 +5,7 @@
 namespace steadyslide::proofs_checks {
 
 Random::Random(std::uint64_t seed, std::string_view stream) {
-  // FNV-1a over the name.
+  // FNV-1a hash of the stream's name.
   std::uint64_t hash = 14695981039346656037U;
   for (const char c : stream) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
   engine_.seed(seed * 0x9E3779B97F4A7C15U + hash);

@@ -12,22 +12,23 @@ namespace steadyslide::proofs_checks {
 
 class Random {
  public:
-  /// `stream` keeps the claims' parameters apart: a claim's cases do not depend on which others run.
+  /// Takes the seed and the name of a stream. Each claim has its own stream, so that its cases do not depend on the
+  /// other claims of a run.
   Random(std::uint64_t seed, std::string_view stream);
 
-  /// 0, ..., count - 1.
+  /// Returns a number from 0, ..., count - 1.
   std::size_t below(std::size_t count);
-  /// A rational strictly between low and high, with one of several denominators.
+  /// Returns a rational strictly between low and high, with one of several denominators.
   Rational between(const Rational& low, const Rational& high);
-  /// So many of them.
+  /// Returns `count` such rationals.
   std::vector<Rational> between(const Rational& low, const Rational& high, std::size_t count);
-  /// nu in ]-1, 1/2[, now and then close to an end.
+  /// Returns a Poisson's ratio nu in ]-1, 1/2[, sometimes close to an end.
   Rational poisson();
-  /// f in [0, largest], with its small values as often as its large ones, sometimes 0.
+  /// Returns a coefficient of friction f in [0, largest], sometimes 0. Small values are as frequent as large ones.
   Rational friction(const Rational& largest);
 
  private:
-  // The standard fixes the engine's numbers; it does not fix those of its distributions.
+  // The C++ standard prescribes the numbers of the engine, but not those of its distributions.
   std::mt19937_64 engine_;
 };
 

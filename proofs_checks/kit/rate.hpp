@@ -1,11 +1,12 @@
 #pragma once
-// The power with which an error falls: log(error) = constant - rate log(cells) by least squares, all levels alike.
+// The power of the number of cells with which an error falls: log(error) = constant - rate log(cells) by least squares,
+// all levels with the same weight.
 
 #include <span>
 
 namespace steadyslide::proofs_checks {
 
-/// An error on meshes of about so many cells.
+/// The error on meshes of about this many cells.
 struct Level {
   double cells;
   double error;
@@ -13,13 +14,14 @@ struct Level {
 
 struct Rate {
   double value;
-  double error_bar;  ///< one standard deviation, from what the line leaves over
+  double error_bar;  ///< one standard deviation, from the residuals of the fitted line
 };
 
-/// Not numbers with fewer than three levels, or where an error is not positive and finite.
+/// Returns the rate and its error bar. They are NaN if there are fewer than three levels or an error is not positive
+/// and finite.
 Rate fitted_rate(std::span<const Level> levels);
 
-/// Root of the mean square.
+/// Returns the root of the mean square.
 double root_mean_square(std::span<const double> values);
 
 }  // namespace steadyslide::proofs_checks

@@ -11,7 +11,7 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-/// Where the paper's statements name the claim; behind all others where none does.
+/// Returns the claim's position in the paper's statements, or a position after all of them if no statement names it.
 std::size_t position_of(const std::string& id) {
   std::size_t position = 0;
   for (const PaperStatement& statement : paper_statements()) {

@@ -1,10 +1,10 @@
 #pragma once
-// Every claim, in the paper's order.
+// All claims, in the paper's order.
 //
-// They are what the folders of proofs_checks/claims hold, collected by cmake/claims.cmake: a claim `thm-03-outside-slope`
-// is a function thm_03_outside_slope() in a source file of this name, its text in the Markdown file beside it. A text
-// alone is a claim, too, if it has a proof, lists decided statements, names a study of convergence or says why nothing can be
-// calculated.
+// cmake/claims.cmake collects them from the folders of proofs_checks/claims. A claim `thm-03-outside-slope` is a
+// function thm_03_outside_slope() in a source file of this name; its text is the Markdown file beside it. A text
+// without a source is also a claim if it has a proof, lists decided statements, names a study of convergence or gives
+// the reason why nothing can be calculated.
 
 #include <span>
 #include <string>
@@ -17,23 +17,23 @@ namespace steadyslide::proofs_checks {
 
 struct ClaimEntry {
   std::string_view id;
-  std::string_view group;  ///< the folder, "theorem-3"
+  std::string_view group;  ///< its folder, "theorem-3"
   std::string_view document;
   Claim (*make)();
 };
 
-/// Made anew, with its group, and with its proof if it has one.
+/// Makes the claim and returns it with its group, and with its proof if it has one.
 Claim made(const ClaimEntry& entry);
 
-/// What cmake/claims.cmake has collected, in alphabetical order.
+/// Returns the claims that cmake/claims.cmake collected, in alphabetical order.
 std::span<const ClaimEntry> claim_list();
 
 const std::vector<Claim>& registry();
 
-/// The folders of claims, one for each place in the paper, alphabetically: "theorem-3".
+/// Returns the folders of claims in alphabetical order, one for each place in the paper: "theorem-3".
 std::vector<std::string> groups();
 
-/// The claims of one of them. Throws std::invalid_argument if there is none of this name.
+/// Returns the claims of one group. Throws std::invalid_argument if there is no such group.
 std::vector<Claim> claims_of_group(std::string_view group);
 
 }  // namespace steadyslide::proofs_checks

@@ -33,7 +33,8 @@ std::optional<ControlReport> refuted(const Control& control, const Outcome& outc
   return std::nullopt;
 }
 
-/// A quick run begins in double, where most wrong variants fail already: what a check refutes to 1e-12 needs no digits.
+/// Examines a control. A quick run first examines it in double, where most wrong variants fail already: a variant that
+/// a check refutes to 1e-12 needs no more digits.
 ControlReport run(const Control& control, const Context& context) {
   if (context.quick && context.digits != numeric::Digits::sixteen) {
     const Context in_double{numeric::Digits::sixteen, context.seed, true};

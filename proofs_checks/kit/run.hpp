@@ -1,5 +1,5 @@
 #pragma once
-// Runs claims with their controls and weighs what comes back. Prints nothing.
+// Runs claims with their controls and weighs the evidence. Prints nothing.
 
 #include <algorithm>
 #include <functional>
@@ -15,34 +15,35 @@ namespace steadyslide::proofs_checks {
 struct ControlReport {
   std::string name;
   bool refuted;
-  std::string detail;  ///< the counterexample, or what the check found instead of one
+  std::string detail;  ///< the counterexample; without one, what the check found
 };
 
 struct Report {
   ClaimText claim;
   Verdict verdict;
   std::vector<Evidence> evidence;
-  std::string note;  ///< why the verdict is weaker than the evidence: an exception's message, surviving controls
+  /// The reason why the verdict is weaker than the evidence: an exception's message, controls that were not refuted.
+  std::string note;
   std::vector<ControlReport> controls;
   double seconds;
 
   std::size_t controls_refuted() const;
-  /// Null if it has none.
+  /// Returns the checked proof, or null if there is none.
   const CheckedProof* proof() const;
-  /// No calculation decides it: an undecided claim that is no failure.
+  /// True if no calculation decides the claim. It is undecided then, but this is not a failure.
   bool beyond_calculation() const;
 };
 
-/// An exception inside the check leaves the claim undecided with its message as note; one inside a control leaves that
-/// control unrefuted. A quick run examines controls in double first, and those at its own digits that survive this.
+/// Runs the claim and its controls. An exception inside the check leaves the claim undecided, with the message as note.
+/// An exception inside a control leaves this control unrefuted. A quick run examines controls in double first; those
+/// that are not refuted there are examined with the context's digits.
 Report run(const Claim& claim, const Context& context);
 
-/// Does the whole text match a pattern as the shell has them: `*` (any text), `?` (any character), `[0-9]` (one of
-/// these)?
+/// True if the whole text matches a pattern of the shell: `*` (any text), `?` (any character), `[0-9]` (one of these).
 bool matches_glob(const std::string& text, const std::string& pattern);
 
-/// Claims (or others) whose id (or other name) matches at least one of the patterns, in order; all of them if there is no
-/// pattern.
+/// Returns the items whose name matches at least one of the patterns, in order; all items if there is no pattern.
+/// `name` is the member with the name, by default the id.
 template <class Named>
 std::vector<Named> select(const std::vector<Named>& all, const std::vector<std::string>& patterns,
                           std::string Named::*name = &Named::id) {
@@ -54,18 +55,19 @@ std::vector<Named> select(const std::vector<Named>& all, const std::vector<std::
   return selected;
 }
 
-/// Called before each claim.
+/// The function that is called before each claim.
 using Progress = std::function<void(std::size_t index, std::size_t total, const Claim& claim)>;
 
-/// One after the other on the calling thread (GiNaC and CLN allow no other); in several processes: processes.hpp.
+/// Runs the claims one after the other on the calling thread, because GiNaC and CLN allow no other. processes.hpp runs
+/// them in several processes.
 std::vector<Report> run_all(std::span<const Claim> claims, const Context& context, const Progress& progress = {});
 
-/// How many reports have each verdict, from proved to refuted.
+/// Returns the number of reports with each verdict, from proved to refuted.
 std::vector<std::pair<std::string_view, std::size_t>> count(std::span<const Report> reports);
-/// "3 proved, 2 supported, 0 undecided, 0 refuted".
+/// Returns these numbers as text: "3 proved, 2 supported, 0 undecided, 0 refuted".
 std::string counts_line(std::span<const Report> reports);
 
-/// Nothing refuted, and nothing undecided but what is beyond calculation.
+/// True if no claim is refuted, and every undecided claim is beyond calculation.
 bool settled(std::span<const Report> reports);
 
 }  // namespace steadyslide::proofs_checks

@@ -14,11 +14,11 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Counterexample, where, detail)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BeyondCalculation, reason, consequences)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Fact, word, things)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProofNode, fact, by, words, from)
-// The text of a proof belongs to the claim.
+// The text of a proof is not stored: report_from() takes it from the claim.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckedProof, nodes, gap)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ControlReport, name, refuted, detail)
 
-/// An array of the alternative's index and its members.
+/// Writes an array of the alternative's index and its members.
 static void to_json(Json& json, const Evidence& evidence) {
   std::visit([&](const auto& one) { json = {evidence.index(), one}; }, evidence);
 }

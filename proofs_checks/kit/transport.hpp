@@ -1,5 +1,6 @@
 #pragma once
-// A report as bytes (CBOR), for the way from one process of a run to another. The claim is not in it: who asked has it.
+// A report as bytes (CBOR), sent from one process of a run to another. The bytes do not contain the claim: the receiver
+// already has it.
 
 #include <string>
 #include <string_view>
@@ -10,8 +11,8 @@ namespace steadyslide::proofs_checks {
 
 std::string to_bytes(const Report& report);
 
-/// The report on this claim, from to_bytes() of the same program. Throws nlohmann::json::exception if bytes are missing or
-/// left over.
+/// Returns the report on this claim from the bytes that to_bytes() of the same program made. Throws
+/// nlohmann::json::exception if bytes are missing or left over.
 Report report_from(std::string_view bytes, const Claim& claim);
 
 }  // namespace steadyslide::proofs_checks

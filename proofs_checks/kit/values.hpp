@@ -1,6 +1,6 @@
 #pragma once
-// What a check measures, and what a formula predicts: values by name. The runner compares them without knowing how
-// either was made, and whatever the precision of the measurement it compares in one type, so that it is compiled once.
+// Measured and predicted values by name. The runner compares them without knowing how they were made. It compares in
+// one type at every precision of the measurement, so that it is compiled once.
 
 #include <string>
 #include <string_view>
@@ -12,10 +12,10 @@
 
 namespace steadyslide::proofs_checks {
 
-/// 1e-94: far below every tolerance of the ledger, and still visible to exact arithmetic.
+/// Returns 1e-94: far below every tolerance of the ledger, and still visible to exact arithmetic.
 Rational tiny();
 
-/// A rate of convergence, measured.
+/// A measured rate of convergence.
 struct Order {
   double rate = 0;
   double error_bar = 0;  ///< one standard deviation
@@ -24,7 +24,7 @@ struct Order {
   bool operator==(const Order&) const = default;
 };
 
-/// A number with its error bar, read off cells. What is predicted is a number, the tolerance a number of error bars.
+/// A number with its error bar, fitted on cells. Its prediction is a number, its tolerance a number of error bars.
 struct Fitted {
   double value = 0;
   double error_bar = 0;
@@ -32,7 +32,8 @@ struct Fitted {
   bool operator==(const Fitted&) const = default;
 };
 
-/// Numbers are compared to a tolerance, orders and fits within their error bars; everything else is decided.
+/// A value of a quantity. Numbers are compared to a tolerance, orders and fitted numbers within their error bars; the
+/// other types are decided exactly.
 using Value = std::variant<Number, Order, Fitted, Exponent, Rational, bool>;
 
 class Values {
@@ -50,15 +51,15 @@ class Values {
   Values(std::initializer_list<Named> all) : all_(all) {}
   void add(Named value) { all_.push_back(std::move(value)); }
 
-  /// Null if there is none of this name.
+  /// Returns the value of this name, or null if there is none.
   const Value* find(std::string_view name) const;
-  /// The number of this name, to be changed. Throws std::logic_error if there is none.
+  /// Returns the number of this name, which the caller may change. Throws std::logic_error if there is none.
   Number& operator[](std::string_view name);
-  /// Replaces the value of this name. A case need not have every quantity: without it nothing happens.
+  /// Replaces the value of this name. Does nothing if the case does not have this quantity.
   void set(std::string_view name, Value value);
-  /// Those values that are here as well.
+  /// Replaces the values that are present in both.
   void set(const Values& values);
-  /// Multiplies the numbers of these names, those that are here.
+  /// Multiplies the numbers of these names by a factor. Names that are not present are ignored.
   void scale(const std::vector<std::string>& names, const Number& factor);
 
   auto begin() const { return all_.begin(); }

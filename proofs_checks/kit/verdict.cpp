@@ -12,7 +12,8 @@ bool is_complete_proof(const Evidence& evidence) {
   return proof && proof->complete();
 }
 
-/// Evidence that shows nothing: a gap, no identity decided, or too few cases at which the statement says something.
+/// True if the evidence shows nothing: a proof with a gap, no decided identity, too few effective cases, a rate whose
+/// error bar is wider than its tolerance, or a statement beyond calculation.
 bool is_empty(const Evidence& evidence) {
   if (const auto* proof = std::get_if<CheckedProof>(&evidence)) return !proof->complete();
   if (const auto* identity = std::get_if<ExactIdentity>(&evidence)) return identity->identities.empty();
@@ -20,7 +21,7 @@ bool is_empty(const Evidence& evidence) {
     return agreement->effective < std::max<std::size_t>(agreement->required, 1);
   }
   if (std::holds_alternative<BeyondCalculation>(evidence)) return true;
-  // Not a comparison the other way round: a bar that is no number shows nothing.
+  // This comparison also holds for an error bar that is NaN: such a rate shows nothing.
   if (const auto* rate = std::get_if<ConvergenceRate>(&evidence)) return !(rate->error_bar <= rate->tolerance);
   return false;
 }

@@ -1,15 +1,15 @@
 #pragma once
-// The one place where evidence becomes a verdict.
+// The only place where evidence becomes a verdict.
 //
-//   refuted    some counterexample, whatever stands beside it, or a rate off the expected one by more than both its
-//              tolerance and its error bar
-//   proved     otherwise, if there is a proof without a gap (proof/proof.hpp); agreements beside it change nothing
-//   supported  otherwise, if there is evidence and every piece of it says something. Exact identities without a proof
+//   refuted    some counterexample, whatever the other evidence is, or a rate that differs from the expected one by more
+//              than its tolerance and more than its error bar
+//   proved     otherwise, if there is a proof without a gap (proof/proof.hpp); agreements do not change this
+//   supported  otherwise, if there is evidence and every piece of it shows something. Exact identities without a proof
 //              support.
 //   undecided  otherwise: no evidence, a proof with a gap, an agreement with too few effective cases, a rate whose error
 //              bar is wider than its tolerance, or a statement beyond calculation
 //
-// A claim whose controls are not all refuted was not checked: its verdict is undecided unless it is refuted.
+// A claim with a control that is not refuted was not checked: its verdict is undecided, unless it is refuted.
 
 #include <span>
 #include <string_view>
@@ -19,10 +19,10 @@
 namespace steadyslide::proofs_checks {
 
 enum class Verdict { refuted, undecided, supported, proved };
-/// "refuted", "undecided", "supported", "proved".
+/// Returns "refuted", "undecided", "supported" or "proved".
 std::string_view name_of(Verdict verdict);
 
-/// Does this piece alone refute?
+/// True if this piece of evidence alone refutes the claim.
 [[nodiscard]] bool refutes(const Evidence& evidence);
 
 [[nodiscard]] Verdict weigh(std::span<const Evidence> evidence, bool all_controls_refuted = true);

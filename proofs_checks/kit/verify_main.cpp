@@ -1,6 +1,6 @@
-// verify-<group> [--claim GLOB]... [--digits N] [--seed N] [--jobs N] [--quick]: runs the claims of one place in the paper
-// and prints a table. Exit code 0 only if every claim is proved, supported or beyond calculation, 1 if one is not, 2 for a
-// wrong command line.
+// verify-<group> [--claim GLOB]... [--digits N] [--seed N] [--jobs N] [--quick]: runs the claims of one place in the
+// paper and prints a table. The exit code is 0 if every claim is proved, supported or beyond calculation, 1 if a claim
+// is not, and 2 if the command line is wrong.
 
 #include <charconv>
 #include <cstdio>
@@ -29,7 +29,7 @@ Number number(std::string_view option, std::string_view text) {
 
 struct Options {
   proofs_checks::Context context;
-  std::vector<std::string> claims;  ///< patterns of ids; none: all
+  std::vector<std::string> claims;  ///< patterns of ids; if empty, all claims
   unsigned processes = proofs_checks::available_processes();
 };
 

@@ -24,7 +24,7 @@ bool contains(const Box& box, const ParameterPoint& place) {
   return std::ranges::all_of(place, [&](const auto& p) { return along(box, p.first).contains(p.second); });
 }
 
-/// One of each point and each open interval that the ends cut the line into.
+/// Returns one number from each interval into which the ends divide the line, and the ends themselves.
 std::vector<Rational> samples(const std::set<Rational>& ends) {
   if (ends.empty()) return {0};
   std::vector<Rational> all{Rational(*ends.begin() - 1)};

@@ -1,6 +1,6 @@
 #pragma once
-// For which parameters something holds: a product of intervals with rational ends or none, "s in [0, oo[, P in ]0, oo[",
-// brackets that look away from the interval leaving its end out. A parameter that is not named is any real number.
+// Ranges of parameters: a product of intervals, "s in [0, oo[, P in ]0, oo[". Ends are rational or infinite. A bracket
+// that opens away from the interval excludes its end. A parameter that is not listed is any real number.
 
 #include <map>
 #include <optional>
@@ -13,7 +13,7 @@
 namespace steadyslide::proofs_checks {
 
 struct Interval {
-  std::optional<Rational> from, to;  ///< none: unbounded
+  std::optional<Rational> from, to;  ///< if empty, unbounded
   bool with_from = false, with_to = false;
 
   bool contains(const Rational& x) const;
@@ -22,14 +22,14 @@ struct Interval {
 
 using Box = std::map<std::string, Interval>;
 
-/// Throw std::logic_error where the text is none, or the interval is empty.
+/// Returns the interval or the box. Throws std::logic_error if the text is not one, or if an interval is empty.
 Interval parse_interval(std::string_view text);
 Box parse_box(std::string_view text);
 std::string text_of(const Interval& interval);
 std::string text_of(const Box& box);
 
-/// Does each place of `whole` lie in one of the boxes? Decided: the ends of all intervals cut each axis into points and
-/// open intervals, and one place of each of their products speaks for all.
+/// True if each point of `whole` lies in one of the boxes. This is decided exactly: the ends of all intervals divide
+/// each axis into points and open intervals, and one point of each product of these represents all its points.
 bool covers(std::span<const Box> boxes, const Box& whole);
 
 }  // namespace steadyslide::proofs_checks

@@ -13,7 +13,7 @@ namespace {
 
 using Statements = std::vector<symbolic::DecidedStatement>;
 
-/// By the beginning of their ids; the last takes the others.
+/// The functions that decide the statements, found by the beginning of an id. The last entry takes all other ids.
 const std::vector<std::pair<std::string_view, Statements (*)()>> sources{
     {"rh-", symbolic::riemann_hilbert_statements}, {"equation-", symbolic::equation_statements},
     {"energy-", symbolic::energy_statements},      {"chebyshev-", symbolic::hilbert_statements},

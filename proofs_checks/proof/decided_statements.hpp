@@ -1,6 +1,6 @@
 #pragma once
-// The symbolic layer's decided statements, by their ids. Deciding takes seconds: it is done when one is first asked for, and
-// once. Not thread-safe, as GiNaC is not.
+// The decided statements of the symbolic layer, by their ids. Deciding them takes seconds: it is done at the first
+// request, and once. Not thread-safe, because GiNaC is not.
 
 #include <string>
 #include <string_view>
@@ -10,10 +10,12 @@
 
 namespace steadyslide::proofs_checks {
 
-/// Those with these ids; one that ends in a dash names all that begin like it. Throws std::logic_error if one is missing.
+/// Returns the statements with these ids. An id that ends with a dash stands for all ids that begin with it. Throws
+/// std::logic_error if an id has no statement.
 std::vector<symbolic::DecidedStatement> decided_statements(const std::vector<std::string>& ids);
 
-/// Is a divisor never 0, whatever real numbers its symbols are: a number, pi, i + s, s^2 + 1? False where that is not seen.
+/// True if the divisor is not 0 for any real values of its symbols: a number, pi, i + s, s^2 + 1. Returns false for a
+/// form that it does not recognise.
 bool never_vanishes(std::string_view divisor);
 
 }  // namespace steadyslide::proofs_checks

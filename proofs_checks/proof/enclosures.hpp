@@ -1,5 +1,5 @@
 #pragma once
-// What is decided in balls over a box of parameters, by name. Each stands in a file of its own in proofs_checks/enclosures/.
+// Statements decided in balls over a box of parameters, by name. Their sources are in proofs_checks/enclosures/.
 
 #include <functional>
 #include <span>
@@ -13,7 +13,7 @@ namespace steadyslide::proofs_checks {
 
 struct Enclosure {
   using Decide = std::function<Decision(const Box&)>;
-  /// Wrong over each box that a proof asks for: has to come out as `no`.
+  /// A wrong variant: it must be decided as `no` over each box that a proof uses.
   struct Variant {
     std::string name;
     Decide decide;
@@ -25,7 +25,7 @@ struct Enclosure {
 };
 
 std::span<const Enclosure> enclosures();
-/// Throws std::logic_error if there is none of this name.
+/// Returns the enclosure of this name. Throws std::logic_error if there is none.
 const Enclosure& enclosure(std::string_view id);
 
 }  // namespace steadyslide::proofs_checks

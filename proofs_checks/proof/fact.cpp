@@ -16,7 +16,7 @@ bool is_name(std::string_view text) {
 
 bool is_formula(std::string_view text) { return text.size() > 2 && text.front() == '"' && text.back() == '"'; }
 
-/// Adds the fact, or one for each thing in its first braces.
+/// Adds the fact. If it has braces, adds one fact for each alternative in the first braces, and so on.
 void add_facts(std::vector<Fact>& facts, const std::string& text) {
   const std::size_t opening = text.find('{');
   const std::size_t closing = text.find('}');

@@ -28,7 +28,7 @@ std::vector<std::string> cells_of(std::string_view row) {
       cells.back() += row[k];
     }
   }
-  if (!cells.empty()) cells.pop_back();  // behind the last bar
+  if (!cells.empty()) cells.pop_back();  // the text after the last bar
   for (std::string& cell : cells) boost::algorithm::trim(cell);
   return cells;
 }
@@ -45,9 +45,9 @@ std::vector<std::string> list_of(std::string_view text, std::string_view separat
 
 std::vector<std::string> items_of(std::string_view text) {
   std::vector<std::string> items(1);
-  int depth = 0;  // of round brackets and braces
+  int depth = 0;  // depth of round brackets and braces
   bool quoted = false;
-  bool interval = false;  // behind " in " up to the second square bracket
+  bool interval = false;  // between the two square brackets of an interval
   for (std::size_t k = 0; k < text.size(); ++k) {
     const char c = text[k];
     if (c == '`') continue;

@@ -1,5 +1,5 @@
 #pragma once
-// Sections, tables and lists of Markdown files.
+// Reads sections, tables and lists of Markdown files.
 
 #include <string>
 #include <string_view>
@@ -7,21 +7,22 @@
 
 namespace steadyslide::proofs_checks {
 
-/// The text between a heading, "## Notation", and the next one of its level or of a higher one. Throws std::logic_error if the
-/// page lacks the heading.
+/// Returns the text between a heading, "## Notation", and the next heading of the same or a higher level. Throws
+/// std::logic_error if the page lacks the heading.
 std::string_view section_of(std::string_view page, std::string_view heading);
 
-/// "| a | b \\| c |" has the cells "a" and "b | c"; no cells where the line is no row.
+/// Returns the cells of a row: "a" and "b | c" for "| a | b \\| c |". Returns no cells if the line is not a row.
 std::vector<std::string> cells_of(std::string_view row);
 
-/// "|---|:-:|": the line between a table's heading and its rows.
+/// True for the line between a table's heading and its rows: "|---|:-:|".
 bool is_rule_of_table(std::string_view row);
 
-/// The parts between the separators.
+/// Returns the parts between the separators.
 std::vector<std::string> list_of(std::string_view text, std::string_view separator);
 
-/// The items of "a(b, c), `d`, e in [0, 1[": the commas between them, not those within brackets of any kind or quotation
-/// marks, where what opens an interval may be what closes another. Backticks and a full stop at the end are left out.
+/// Returns the items of a list such as "a(b, c), `d`, e in [0, 1[". Commas within brackets or quotation marks do not
+/// separate items. The same square bracket may open one interval and close another. Backticks and a full stop at the
+/// end are left out.
 std::vector<std::string> items_of(std::string_view text);
 
 }  // namespace steadyslide::proofs_checks

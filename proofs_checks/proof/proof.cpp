@@ -10,7 +10,7 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-/// What stops a proof, in words.
+/// The reason why a proof stops, in words.
 struct Gap {
   std::string words;
 };
@@ -141,7 +141,7 @@ class ProofChecker {
     }
   }
 
-  /// The first that gives the fact from those above.
+  /// Returns the first rule that gives the fact from the facts above. Throws Gap if there is none.
   const Rule& by_rules(ProofNode& node, std::span<const Rule> rules) const {
     std::string missing;
     for (const Rule& rule : rules) {
@@ -155,7 +155,8 @@ class ProofChecker {
               (missing.empty() ? " is not what " + name + " gives" : " by " + name + " needs " + missing)};
   }
 
-  /// Facts above that match all needs, variables that only the needs have taking any meaning that fits them all.
+  /// True if facts above match all needs. A variable that occurs only in the needs may stand for any thing that fits
+  /// all of them. `from` receives the nodes of these facts, `missing` the first need without one.
   bool find_needs(std::span<const Fact> needs, const Bindings& bindings, std::vector<std::size_t>& from,
                   std::string& missing) const {
     if (needs.empty()) return true;

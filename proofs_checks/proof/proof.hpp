@@ -1,17 +1,18 @@
 #pragma once
-// Checks a proof as it is written, step by step: each fact has to follow from those above it by what stands beside it.
+// Checks a written proof step by step: each fact must follow from the facts above it for the reason that stands beside
+// it.
 //
-//   identity     the theory says which identities decide it; all do, and their divisors cannot vanish or are given as facts
-//   sign         positive("E"), negative("E"), nonzero("E"), E a polynomial in the parameters: decided over all of them
-//   enclosure    it is decided over boxes that together cover the parameters
-//   theorem      the facts above match what the theorem needs, with one meaning of each variable
-//   definition   the facts above match what the word means
-//   inference    the facts above match what the theory infers the word from, in words: nothing is decided
-//   entry        another entry, with a complete proof for these parameters, concludes it, and its assumptions are above
+//   identity     the theory lists identities for the fact; all hold, and their divisors cannot vanish or are given as nonzero
+//   sign         positive("E"), negative("E"), nonzero("E"), E a polynomial in the parameters: decided for all parameters
+//   enclosure    the fact is decided over boxes that together cover the parameters
+//   theorem      the facts above match the needs of the theorem, with one meaning of each variable
+//   definition   the facts above match the definition of the word
+//   inference    the facts above match those from which the theory infers the word, in words: nothing is decided
+//   entry        another entry with a complete proof for these parameters concludes it; its assumptions stand above
 //
-// What is concluded is given by a step and not assumed, and what is assumed is used by one.
+// Each conclusion must be given by a step, not assumed. Each assumption must be used by a step.
 //
-// Nothing is believed because it is written: what does not follow is a gap, and says which.
+// The checker trusts no written step: if a fact does not follow, the proof has a gap that names it.
 
 #include <functional>
 #include <string>
@@ -25,47 +26,48 @@ namespace steadyslide::proofs_checks {
 
 struct Decision {
   Truth holds = Truth::unknown;
-  std::vector<std::string> words = {};     ///< what was decided
-  std::vector<std::string> divisors = {};  ///< of an identity, that could vanish
+  std::vector<std::string> words = {};     ///< the decided statements
+  std::vector<std::string> divisors = {};  ///< divisors of an identity that could vanish
 };
 
 struct ProofNode {
   Fact fact;
   std::string by;  ///< "assumed", "theorem plemelj"
   std::vector<std::string> words = {};
-  std::vector<std::size_t> from = {};  ///< the nodes that it rests on
+  std::vector<std::size_t> from = {};  ///< the nodes that it follows from
 };
 
 struct CheckedProof {
   ProofText text;
-  std::vector<ProofNode> nodes;  ///< what is assumed, then the steps up to the gap
+  std::vector<ProofNode> nodes;  ///< the assumptions, then the steps up to the gap
   std::string gap;
 
   bool complete() const { return gap.empty(); }
 };
 
-/// Whom the runner asks. Each may throw; what it cannot decide is unknown.
+/// The functions that decide steps. Each may throw. The result for an undecided step is unknown.
 struct Decisions {
   std::function<Decision(const std::string& id)> identity;
-  /// Is the polynomial positive on the box?
+  /// Decides if the polynomial is positive on the box.
   std::function<Truth(const std::string& polynomial, const Box& box)> positive;
   std::function<Decision(const std::string& id, const Box& box)> enclosure;
-  /// Null if there is no such entry, or none with a proof.
+  /// Returns the proof of another entry, or null if there is no such entry or it has no proof.
   std::function<const CheckedProof*(const std::string& id)> entry;
 };
 
-/// Throws std::logic_error where a fact is said in words that are not declared.
+/// Returns the checked proof. Throws std::logic_error if a fact uses words that are not declared.
 CheckedProof check_proof(const ProofText& text, const Theory& theory, const Decisions& decisions);
 
-/// A proof as a tree, from what is concluded down to what it rests on, in the order of a text.
+/// A line of a proof's tree. The tree goes from the conclusions down to the facts that they follow from, in the order
+/// of a text.
 struct TreeLine {
   std::size_t node;
   std::size_t depth;
-  bool again;  ///< it stands above, with what it rests on
+  bool again;  ///< the node and the facts below it stand in an earlier line
 };
 std::vector<TreeLine> tree_of(const CheckedProof& proof);
 
-/// "4 identities, 2 theorems (liouville, plemelj), 1 entry (rh-load)".
+/// Returns "4 identities, 2 classical theorems (liouville, plemelj), 1 entry (rh-load)".
 std::string count_of_steps(const CheckedProof& proof);
 
 }  // namespace steadyslide::proofs_checks

@@ -10,7 +10,7 @@ namespace {
 constexpr std::array<std::string_view, 7> kinds{"identity",   "sign",      "enclosure", "theorem",
                                                 "definition", "inference", "entry"};
 
-/// "theorem plemelj: plemelj(flat-punch), ..."
+/// Adds the steps of a line, "theorem plemelj: plemelj(flat-punch), ...".
 void add_steps(std::vector<ProofStep>& steps, std::string_view line) {
   const std::string_view by = line.substr(0, line.find(": "));
   const std::size_t space = by.find(' ');

@@ -1,13 +1,13 @@
 #pragma once
-// A proof as it is written, the part "Proof" of a claim's text:
+// A written proof, the part "Proof" of a claim's text:
 //
-//   For `s in [0, oo[`, `P in ]0, oo[`.          the parameters, and their ranges; absent where there are none
-//   Assumes `contact-around(c)`.                 what is taken as given; who cites the entry has to show it
-//   Concludes `solves(flat-punch)`.              what the statement says
+//   For `s in [0, oo[`, `P in ]0, oo[`.          the parameters and their ranges; absent if there are none
+//   Assumes `contact-around(c)`.                 the assumptions; a proof that cites the entry must show them
+//   Concludes `solves(flat-punch)`.              the claim's statement as facts
 //
-//   - identity: kernel(flat-punch)               what the theory's table says decides it
+//   - identity: kernel(flat-punch)               decided by the identities in the theory's table
 //   - sign: nonzero("nu - 1")                    a polynomial's sign over the parameters: positive, negative, nonzero
-//   - enclosure: small(gamma)                    likewise, over boxes that together cover the parameters
+//   - enclosure: small(gamma)                    decided over boxes that together cover the parameters
 //   - theorem plemelj: plemelj(flat-punch)
 //   - definition: solves(flat-punch), carries(flat-punch)
 //   - inference: pressing(flat-punch)
@@ -29,7 +29,7 @@ struct ProofStep {
 
   Fact fact;
   Kind kind;
-  std::string name = {};  ///< of the theorem or the entry
+  std::string name = {};  ///< the name of the theorem or the entry
 };
 
 struct ProofText {
@@ -41,10 +41,10 @@ struct ProofText {
   bool empty() const { return steps.empty() && concludes.empty(); }
 };
 
-/// The lines of the part. Throws std::logic_error where they do not have this form.
+/// Reads the lines of the part "Proof". Throws std::logic_error if they do not have this form.
 ProofText parse_proof(const std::vector<std::string_view>& lines);
 
-/// "identity", "theorem plemelj".
+/// Returns the reason of a step: "identity", "theorem plemelj".
 std::string by_what(const ProofStep& step);
 
 }  // namespace steadyslide::proofs_checks

@@ -22,7 +22,7 @@ void add_once(auto& map, const std::string& name, auto value) {
   if (!map.emplace(name, std::move(value)).second) throw std::logic_error("declared twice: " + name);
 }
 
-/// A row of facts and by what, of an enclosure over each of its boxes.
+/// Adds the facts of a row of the table "Decided"; for an enclosure, each fact over each of its boxes.
 void add_decided(std::vector<DecidedFact>& all, const std::vector<std::string>& cells) {
   const std::string& by = cells[1];
   const std::size_t space = by.find(' ');
@@ -41,7 +41,7 @@ void add_decided(std::vector<DecidedFact>& all, const std::vector<std::string>& 
   }
 }
 
-/// One of what the rule gives that its needs do not name.
+/// Returns a variable of the facts that the rule gives that does not occur in its needs, or nothing.
 std::optional<std::string> free_variable(const Rule& rule) {
   for (const Fact& given : rule.gives) {
     for (const std::string& thing : given.things) {
@@ -123,8 +123,8 @@ class Reader {
     }
   }
 
-  /// A theorem's words; the facts behind Needs and Gives may go over several lines, up to an empty one. Words behind what is
-  /// given begin another rule.
+  /// Reads a line of a theorem. The facts after Needs and Gives may take several lines and end at an empty one. Words
+  /// after the given facts begin another rule.
   void words(std::string_view line) {
     const bool needs = line.starts_with("Needs ");
     if (needs || line.starts_with("Gives ")) {
@@ -145,7 +145,7 @@ class Reader {
   Theory& theory_;
   std::string part_;
   bool in_rows_ = false;
-  std::vector<Rule>* rules_ = nullptr;  ///< of the theorem that is read
+  std::vector<Rule>* rules_ = nullptr;  ///< of the theorem that is read at present
   std::vector<Fact>* facts_ = nullptr;
 };
 
@@ -194,7 +194,8 @@ void Theory::require_declared(const Fact& fact, bool in_rule) const {
 std::string Theory::sentence(const Fact& fact) const {
   const auto& [declared, says] = words.at(fact.word);
   std::string text;
-  // A variable in the sentence is a whole word; it becomes the thing's name, whose own words stand in the list of things.
+  // A variable in the sentence is a whole word. It is replaced by the thing's name; the list of things explains the
+  // name.
   const auto is_letter = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
   };

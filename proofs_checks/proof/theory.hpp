@@ -1,11 +1,11 @@
 #pragma once
-// What proofs may use: words and things, definitions, inferences, facts that something decides, classical theorems. They
-// stand in Markdown: all files of proofs_checks/facts/,
+// Everything that proofs may use: words and things, definitions, inferences, decided facts, classical theorems. They
+// stand in Markdown, in all files of proofs_checks/facts/,
 //
 //   ## Words                                        each name once in all files
 //
-//   | fact | says | follows from |                 from facts by an inference: short ones, in words, that are read, and
-//   |---|---|---|                                 not decided by the program; the column may be absent
+//   | fact | says | follows from |                 the third column may be absent: an inference from facts. It is short, in
+//   |---|---|---|                                  words, and for a reader: the program does not decide it
 //   | load(T) | `int T = -P` | |
 //   | pressing(T) | `T < 0` | factor-sign(T), cosine(T) |
 //   ## Things
@@ -18,7 +18,7 @@
 //   | fact | means |
 //   |---|---|
 //   | solves(T) | kernel(T), load(T) |
-//   ## Decided                                      what a decision says, and where
+//   ## Decided                                      facts, what decides them, and for which parameters
 //
 //   | fact | by | where |
 //   |---|---|---|
@@ -28,14 +28,14 @@
 //
 // A row of the last table may hold several facts, and an enclosure's row several boxes.
 //
-// and the section "Classical theorems" of docs/proofs.md, where a theorem is
+// Theorems stand in the section "Classical theorems" of docs/proofs.md:
 //
 //   ### plemelj
 //   [Mus53, section 17]. In words.
 //   Needs hoelder(T), integrable-powers(T).
 //   Gives plemelj(T).
 //
-// with further words, Needs and Gives where it says several things.
+// A theorem with several conclusions has further words, Needs and Gives.
 
 #include <functional>
 #include <span>
@@ -48,9 +48,9 @@
 
 namespace steadyslide::proofs_checks {
 
-/// The facts needed, with names in capitals for any thing, give all of these.
+/// A rule: the facts in `needs` imply all facts in `gives`. Names that begin with a capital letter stand for any thing.
 struct Rule {
-  std::string name;  ///< of the theorem; the word that is defined or inferred
+  std::string name;  ///< the name of the theorem, or the defined or inferred word
   std::string words;
   std::vector<Fact> needs;
   std::vector<Fact> gives;
@@ -63,29 +63,30 @@ struct DecidedFact {
   Fact fact;
   By by;
   std::vector<std::string> ids;
-  std::vector<Fact> where;  ///< of identities: nonzero("divisor"), as the symbolic layer writes it
-  Box box;                  ///< of an enclosure
+  /// Conditions of identities: nonzero("divisor"), the divisor as the symbolic layer writes it.
+  std::vector<Fact> where;
+  Box box;  ///< the box of an enclosure
 };
 
 struct Theory {
-  /// Throws std::logic_error where a document does not have this form, a name is taken twice or not declared, or a word has
-  /// another number of things than its declaration.
+  /// Reads the documents. Throws std::logic_error if one does not have this form, if a name is declared twice or not at
+  /// all, or if the number of a word's things differs from its declaration.
   explicit Theory(std::span<const std::string_view> documents);
 
-  std::map<std::string, std::pair<Fact, std::string>> words;  ///< with the variables of its declaration
+  std::map<std::string, std::pair<Fact, std::string>> words;  ///< each with the variables of its declaration
   std::map<std::string, std::string> things;
   std::map<std::string, Rule> definitions;  ///< by word
   std::map<std::string, Rule> inferences;   ///< by word
   std::map<std::string, std::vector<Rule>> theorems;
   std::vector<DecidedFact> decided;
 
-  /// Throws std::logic_error where the word or a thing is not declared. Variables are allowed in rules alone.
+  /// Throws std::logic_error if the word or a thing is not declared. Variables are allowed in rules only.
   void require_declared(const Fact& fact, bool in_rule = false) const;
-  /// In words: its declaration, with the things in the place of the variables.
+  /// Returns the fact in words: the declaration with the things in place of the variables.
   std::string sentence(const Fact& fact) const;
 };
 
-/// Of the ledger.
+/// Returns the theory of the ledger's proofs.
 const Theory& theory();
 
 }  // namespace steadyslide::proofs_checks

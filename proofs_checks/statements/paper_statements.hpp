@@ -1,7 +1,7 @@
 #pragma once
-// The paper, statement by statement, in its order, with the claims that say it or parts of it, and those that examine instances:
-// what paper_statements.md lists. A statement is as good as the weakest of what says it. A test asks that every claim named there
-// exists and that every claim of the ledger is named.
+// The statements of the paper in its order, read from paper_statements.md. Each lists the claims that express it or
+// parts of it, and the claims that examine instances. Its verdict is the weakest one of the claims that express it. A
+// test checks that every listed claim exists and that every claim of the ledger is listed.
 
 #include <optional>
 #include <span>
@@ -14,24 +14,26 @@
 namespace steadyslide::proofs_checks {
 
 struct PaperStatement {
-  std::string_view place;                ///< "theorem 2", "(5)-(7)"; empty for what goes beyond the paper
-  std::string_view what;                 ///< a phrase of our own; formulas between backticks, as in claims
-  std::string_view scope;                ///< in which the verdict holds, where the words alone do not say it; a phrase
-  std::vector<std::string_view> claims;  ///< that say it
-  std::vector<std::string_view> instances;  ///< that examine instances of it
+  /// "theorem 2", "(5)-(7)"; empty for a statement that goes beyond the paper.
+  std::string_view place;
+  std::string_view what;  ///< our own phrase; formulas between backticks, as in claims
+  /// A phrase: the range in which the verdict holds, if `what` does not state it.
+  std::string_view scope;
+  std::vector<std::string_view> claims;     ///< claims that express the statement
+  std::vector<std::string_view> instances;  ///< claims that examine instances of it
 };
 
 const std::vector<PaperStatement>& paper_statements();
 
-/// The weakest verdict of the claims that say it; none if one of them was not examined.
+/// Returns the weakest verdict of the claims that express the statement, or nothing if one of them was not examined.
 std::optional<Verdict> verdict_of(const PaperStatement& statement, std::span<const Report> reports);
 
-/// How many of the paper's statements have each verdict, from proved to refuted; those beyond it, and those that were not
-/// examined as a whole, are left out.
+/// Returns the number of the paper's statements with each verdict, from proved to refuted. Statements beyond the paper,
+/// and those with a claim that was not examined, do not count.
 std::vector<std::pair<std::string_view, std::size_t>> statement_counts(std::span<const Report> reports);
 
-/// "20 proved, 9 supported, 5 undecided, 0 refuted": the paper's statements, those beyond it left out; empty where not all of
-/// them were examined.
+/// Returns "20 proved, 9 supported, 5 undecided, 0 refuted" for the paper's statements, without those beyond it.
+/// Returns an empty text if a claim of a statement was not examined.
 std::string statements_line(std::span<const Report> reports);
 
 }  // namespace steadyslide::proofs_checks

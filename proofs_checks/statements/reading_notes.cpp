@@ -15,7 +15,7 @@ extern const std::string_view reading_notes_md;
 
 namespace {
 
-/// A note of the file, "## eq-04-exponent: [Bal16, (4)]", and what stands behind "- printed:", "- derived:" and so on.
+/// A note of the file, "## eq-04-exponent: [Bal16, (4)]", with the text after "- printed:", "- derived:" and so on.
 struct Entry {
   std::string id;
   std::string place;
@@ -27,7 +27,7 @@ struct Entry {
   }
 };
 
-/// What stands before the separator, and what behind it: nothing where there is none.
+/// Returns the text before the separator and the text after it, which is empty if there is no separator.
 std::pair<std::string, std::string> divided(const std::string& text, std::string_view separator) {
   const std::size_t at = text.find(separator);
   if (at == std::string::npos) return {text, ""};
@@ -53,7 +53,8 @@ std::vector<Entry> entries() {
   return all;
 }
 
-/// What the run says of the claim and, where it is one of its controls, of the printed reading.
+/// Returns the run's verdict on the claim. If the printed reading is one of its controls, also the result of this
+/// control.
 std::string examined(const std::string& claim, const std::string& printed, std::span<const Report> reports) {
   const auto report = std::ranges::find(reports, claim, [](const Report& r) { return r.claim.id; });
   if (report == reports.end()) return "not examined in this run: claim " + claim;

@@ -1,7 +1,8 @@
 #pragma once
-// Places where the text of the paper that this project holds and the mathematics disagree: the printed reading, the
-// derived one, and the evidence. That text was extracted from a PDF: each note says whether extraction may have done
-// it. The notes stand in reading_notes.md; what a run and the local equation say is added to them.
+// Places where the paper's text that this project holds contradicts the mathematics: the printed reading, the derived
+// one, and the evidence. The text was extracted from a PDF; each note says if the extraction may have caused the
+// difference. The notes stand in reading_notes.md; the verdicts of a run and the result of the local equation are added
+// to them.
 
 #include <span>
 #include <string>
@@ -12,7 +13,7 @@
 
 namespace steadyslide::proofs_checks {
 
-/// Stands beside their number, wherever that is said.
+/// The sentence that stands beside the number of notes wherever it appears.
 inline constexpr std::string_view printed_page = "The printed page was not seen.";
 
 struct ReadingNote {
@@ -21,18 +22,19 @@ struct ReadingNote {
   std::string printed;
   std::string derived;
   std::string evidence;
-  /// The place of the fault: in a formula "print", "extraction", or "undecided" between the two; else "words", the paper's,
-  /// which extraction does not change.
+  /// The place of the fault. In a formula: "print", "extraction", or "undecided" between these two. Otherwise "words":
+  /// the paper's words, which extraction does not change.
   std::string fault;
-  /// That examines the derived reading; empty where the local equation alone decides.
+  /// The claim that examines the derived reading; empty if the local equation alone decides it.
   std::string claim;
-  /// Of the claim: the printed reading; empty where it is no formula that a check could take.
+  /// The control of this claim that is the printed reading; empty if a check cannot use the printed reading as a
+  /// formula.
   std::string control = {};
 };
 
-/// The evidence is taken from the reports: the control that is the printed reading, and what refuted it; then a
-/// sentence on whether extraction may have done it. A note whose claim was not run says so. Formulas stand between
-/// backticks, as in claims.
+/// Returns the notes with their evidence from the reports: the verdict of the claim, the result of the control that is
+/// the printed reading, and a sentence on the extraction. If the claim was not run, the note says so. Formulas stand
+/// between backticks, as in claims.
 std::vector<ReadingNote> reading_notes(std::span<const Report> reports);
 
 }  // namespace steadyslide::proofs_checks

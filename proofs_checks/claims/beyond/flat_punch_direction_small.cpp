@@ -12,7 +12,7 @@ struct Halves {
   Rational front;
 };
 
-/// (f(+) - f(-))/gamma.
+/// Returns (f(+) - f(-))/gamma, the difference of the effective friction between the two directions of sliding.
 template <Real R>
 R difference(const Halves& halves, const Rational& gamma) {
   const ContactProblem forth(Elasticity::reduced(gamma), FrictionProfile({halves.rear, halves.front}, {0}),

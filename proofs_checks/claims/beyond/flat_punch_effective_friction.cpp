@@ -6,7 +6,7 @@
 namespace steadyslide::proofs_checks::flat_punch_effective_friction {
 namespace {
 
-/// 1 to 6 jumps, both directions of sliding.
+/// Returns punches with 1 to 6 friction jumps, for both directions of sliding.
 CaseList<ContactProblem> punches(const Context& context) {
   const std::vector<Rational> friction{Rational(1, 10), Rational(1, 2), 5, 0, 2, Rational(1, 3), 1};
   const std::vector<Rational> nus{Rational(1, 5), 0, Rational(-1, 2), Rational(49, 100)};
@@ -22,7 +22,7 @@ CaseList<ContactProblem> punches(const Context& context) {
   });
 }
 
-/// s/f.
+/// Returns s/f.
 Rational coupling(const ContactProblem& p) { return p.with_friction(FrictionProfile({1})).coupled_friction(0); }
 
 template <Real R>
@@ -30,7 +30,7 @@ R by_surface(const ContactProblem& p) {
   return numeric::EffectiveFriction<R>(numeric::FrictionLayout<R>::of(p)).value().value / to_real<R>(coupling(p));
 }
 
-/// Of something that has one value on each strip, by length.
+/// Returns the mean over the length of the punch of a quantity with one value on each strip.
 template <class Value>
 Number mean(const ContactProblem& p, const Value& value) {
   Number sum = 0;

@@ -5,17 +5,17 @@
 namespace steadyslide::proofs_checks::flat_punch_extreme_layouts {
 namespace {
 
-/// By s; f is twice that.
+/// Two coatings, given by s; f is twice as large.
 struct Coatings {
   std::string name;
   Rational outer;
   Rational inner;
-  Rational share;  ///< of the inner one
+  Rational share;  ///< share of the inner coating
 
-  int sign() const { return outer > inner ? 1 : -1; }  ///< of the extreme: largest, smallest
+  int sign() const { return outer > inner ? 1 : -1; }  ///< 1 if the extreme is the largest value, -1 if the smallest
 };
 
-/// s_eff by tractions.
+/// Returns s_eff from the tractions.
 double s_eff(const std::vector<Rational>& s, std::vector<Rational> jumps) {
   std::vector<Rational> f;
   for (const Rational& one : s) f.push_back(2 * one);
@@ -24,13 +24,13 @@ double s_eff(const std::vector<Rational>& s, std::vector<Rational> jumps) {
   return punch_loads<double>(punch).friction / 2;
 }
 
-/// Of outer | inner | outer, the first jump at c.
+/// Returns s_eff of the layout outer | inner | outer with the first jump at c.
 double s_eff(const Coatings& coatings, double c) {
   const auto& [name, outer, inner, share] = coatings;
   return s_eff({outer, inner, outer}, {Rational(c), Rational(c) + 2 * share});
 }
 
-/// The first jump at which a step to the left and one to the right have the same s_eff.
+/// Returns the position of the first jump at which a step to the left and a step to the right give the same s_eff.
 double stationary(const Coatings& coatings, double step) {
   double low = -1 + 2 * step;
   double high = 1 - 2 * to_real<double>(coatings.share) - 2 * step;
@@ -42,13 +42,13 @@ double stationary(const Coatings& coatings, double step) {
   return (low + high) / 2;
 }
 
-/// The same as the step goes to zero: it errs by its square.
+/// Returns the limit of this position as the step tends to zero. Its error is proportional to the square of the step.
 double stationary(const Coatings& coatings) {
   constexpr double step = 1e-3;
   return (4 * stationary(coatings, step) - stationary(coatings, 2 * step)) / 3;
 }
 
-/// The most extreme of layouts with up to ten strips, one jump among them.
+/// Returns the most extreme s_eff of layouts with two to ten strips, among them those with a single jump.
 double most_extreme(const Coatings& coatings, std::size_t count) {
   const auto& [name, outer, inner, share] = coatings;
   Random random(1, "flat-punch-extreme-layouts");

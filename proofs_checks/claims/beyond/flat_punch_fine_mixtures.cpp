@@ -8,7 +8,7 @@ namespace {
 struct Period {
   std::string name;
   std::vector<Rational> shares;
-  std::vector<Rational> s;  ///< from left to right
+  std::vector<Rational> s;  ///< values of s from left to right
 };
 
 double s_eff(const Period& period, int count) {
@@ -16,14 +16,15 @@ double s_eff(const Period& period, int count) {
   return numeric::EffectiveFriction<double>(layout).value().value;
 }
 
-/// Of 256, 512, ..., 4096 periods, without their limit: its differences have the same powers.
+/// Returns the values for 256, 512, ..., 4096 periods. The order comes from differences, which have the same powers as
+/// the error, so that the limit is not needed for it.
 Values measured(const Period& period) {
   std::vector<double> values;
   for (int count = 256; count <= 4096; count *= 2) values.push_back(s_eff(period, count));
   std::vector<double> d;
   for (std::size_t k = 0; k + 1 < values.size(); ++k) d.push_back(values[k + 1] - values[k]);
   const double order = numeric::order_of_periods(d[1], d[2], d[3]);
-  // C N^-p, D N^-(1-p) and E/N removed in turn.
+  // The terms C N^-p, D N^-(1-p) and E/N are eliminated in turn.
   for (const double power : {order, 1 - order, 1.0}) {
     const double factor = std::exp2(power);
     for (std::size_t k = 0; k + 1 < values.size(); ++k) values[k] = (factor * values[k + 1] - values[k]) / (factor - 1);

@@ -6,7 +6,7 @@
 namespace steadyslide::proofs_checks::flat_punch_friction_derivative {
 namespace {
 
-/// The first jump is moved.
+/// Returns the punches. The first jump is moved.
 CaseList<ContactProblem> punches(const Context& context) {
   const Rational nu(1, 5);
   return first_when_quick<ContactProblem>(
@@ -23,7 +23,7 @@ ContactProblem moved(const ContactProblem& p, const Rational& way) {
   return p.with_friction(FrictionProfile(p.friction().values(), jumps));
 }
 
-/// ds_eff/dc over the change of alpha at c, by tractions.
+/// Returns ds_eff/dc divided by the change of alpha at c, from the tractions.
 template <Real R>
 R measured(const ContactProblem& p) {
   const Rational step(1, 1'000'000'000'000);

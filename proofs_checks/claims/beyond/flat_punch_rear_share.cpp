@@ -16,7 +16,7 @@ CaseList<ContactProblem> punches(const Context& context) {
                          [&](Random& random) { return random_punch(context, random, 1); });
 }
 
-/// s behind the jump, s in front of it, the part of the length behind it.
+/// Returns the load share behind the jump for s = `rear` behind it and s = `front` in front of it.
 template <Real R>
 R share(const ContactProblem& p, const Rational& rear, const Rational& front) {
   return numeric::rear_share<R>(rear, front, (p.friction().jumps().front() + 1) / 2).value;

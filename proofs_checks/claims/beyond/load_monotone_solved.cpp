@@ -1,4 +1,5 @@
-// Two loads, each solved from nothing: is the contact under the smaller one part of that under the larger one?
+// Solves each problem independently for two loads and checks that the contact set under the smaller load is part of
+// that under the larger one.
 
 #include <algorithm>
 
@@ -37,7 +38,7 @@ auto loads(const std::optional<Rational>& growth) {
   };
 }
 
-/// Two bumps, the load near the right one.
+/// Returns a profile with two bumps; the load acts close to the right one.
 CaseList<TwoLoads> tilting(const Context&) {
   return {{{{{0, 0}, {0}}, Polynomial({0, 0, Rational(-9, 10), 0, 1}), Rational(13, 10), 3, Rational(5, 8)}},
           "two bumps"};
@@ -45,13 +46,13 @@ CaseList<TwoLoads> tilting(const Context&) {
 
 using Solution = std::shared_ptr<const numeric::ContactSolution<double>>;
 
-/// Null where the solver meets not all conditions.
+/// Returns null if the solution does not meet all conditions.
 Solution solved(const ContactProblem& problem) {
   Solution solution = numeric::riemann_hilbert<double>(problem).solution;
   return solution && solution->failed_condition().empty() ? solution : nullptr;
 }
 
-/// The part of the first contact that is not in the second.
+/// Returns the part of the first contact set that is not in the second.
 double lost(const Solution& small, const Solution& large) {
   double rest = 0;
   for (const auto& part : small->contact()) {
@@ -68,7 +69,7 @@ double lost(const Solution& small, const Solution& large) {
 double fall(const Solution& small, const Solution& large, const Rational& load) {
   double most = 0;
   for (int k = -49; k < 50; ++k) {
-    const Rational x(2 * k + 1, 101);  // no place of the data
+    const Rational x(2 * k + 1, 101);  // not a point of the problem's data
     most = std::max(most, large->at(x).traction.left.value - small->at(x).traction.left.value);
   }
   return most * 2 / to_real<double>(load);

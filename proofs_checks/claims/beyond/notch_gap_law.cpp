@@ -1,4 +1,5 @@
-// Gaps over a notch at three loads below the one that closes it: the law l = (K (P_c - P))^n has three unknowns.
+// Measures gaps over a notch at three loads below the load that closes it, because the law l = (K (P_c - P))^n has
+// three unknowns.
 
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
@@ -8,18 +9,18 @@
 namespace steadyslide::proofs_checks::notch_gap_law {
 namespace {
 
-/// Two flanks that meet at the friction jump `at`.
+/// Two flanks that meet at a friction jump, `at`.
 struct Notch {
   std::string name;
   ContactProblem problem;
-  std::size_t at;  ///< which jump
+  std::size_t at;  ///< index of the jump
   std::vector<Rational> loads;
 
   const Rational& place() const { return problem.friction().jumps()[at]; }
   Rational slope(Side side) const { return problem.indenter().profile(place(), side).coefficient(1); }
 };
 
-/// Flanks of slopes `rear` and `front` that meet at the place.
+/// Returns flanks of slopes `rear` and `front` that meet at this point.
 ContactProblem flanks(const Rational& nu, FrictionProfile friction, const Rational& place, const Rational& rear,
                       const Rational& front, Sliding sliding = Sliding::plus_x) {
   const Indenter indenter(-1, {{place, Polynomial({-rear * place, rear})}, {1, Polynomial({-front * place, front})}});
@@ -45,7 +46,7 @@ CaseList<Notch> notches(const Context& context) {
       1, "notches, three loads each");
 }
 
-/// Behind the notch, in the solver's unit, which is that of all loads.
+/// Returns the length of the gap behind the notch, in the solver's unit, which is the same for all loads.
 double gap_behind(const Notch& notch, const Rational& load) {
   const auto solution = solve<double>(notch.problem.with_load(load));
   const std::size_t point = point_at(*solution, notch.place());
@@ -60,7 +61,7 @@ Values measured(const Notch& notch) {
     gap.push_back(gap_behind(notch, p));
   }
   const double ratio = std::log(gap[0] / gap[1]) / std::log(gap[1] / gap[2]);
-  // log((P_c-P_0)/(P_c-P_1))/log((P_c-P_1)/(P_c-P_2)) grows with P_c, from 0 at P_2.
+  // log((P_c-P_0)/(P_c-P_1))/log((P_c-P_1)/(P_c-P_2)) grows with P_c and is 0 at P_c = P_2.
   double low = load[2];
   double high = 4 * load[2];
   for (int step = 0; step < 100; ++step) {
@@ -73,11 +74,11 @@ Values measured(const Notch& notch) {
   return {{"threshold", low}, {"exponent", power}};
 }
 
-/// P_c with parts of its formula times these.
+/// Factors of the parts of the formula for P_c.
 struct Law {
   int integral = 1;
   int sum = 1;
-  int from = 1;  ///< 1: the integral over what is in front of the notch, -1: behind
+  int from = 1;  ///< 1: the integral over the part in front of the notch, -1: behind it
 };
 
 Number threshold(const Notch& notch, const Law& law) {
@@ -88,7 +89,7 @@ Number threshold(const Notch& notch, const Law& law) {
   const std::vector<R> points = form.at<R>().points();
   R sum = 0;
   for (std::size_t j = 0; j < points.size(); ++j) sum += to_real<R>(powers[j]) * points[j];
-  // cos(pi alpha)/(|Y| |x-c|)
+  // The integrand is cos(pi alpha)/(|Y| |x-c|).
   for (Exponent& power : form.exponents) power = -power;
   const std::size_t c = notch.at + 1;
   form.exponents[c] -= Exponent(1);

@@ -1,4 +1,4 @@
-// The ends of contact of a parabola from integrals of alpha, beside those of the general solver, which knows powers.
+// Compares the contact ends of a parabola from integrals of alpha with those of the general solver, which uses powers.
 
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/tractions/parabola_cases.hpp"
@@ -22,15 +22,16 @@ CaseList<ContactProblem> parabolas(const Context& context) {
   });
 }
 
-/// What a wrong variant changes.
+/// Factors that a wrong variant changes.
 struct Law {
   int angle = 1;
   int moment = 1;
   Number load = 2;
 };
 
-/// Newton's method: in -2 int alpha - (a+b) and 2 P R/pi - (a^2+b^2)/2 - 2 int y alpha the derivatives are those of the
-/// integrals' ends, -(1 -+ 2 alpha) and these times a and b. Places from the vertex.
+/// Returns the contact ends by Newton's method for the zeros of -2 int alpha - (a+b) and
+/// 2 P R/pi - (a^2+b^2)/2 - 2 int y alpha. The derivatives are those with respect to the integrals' limits: -(1 -+ 2 alpha), and this times a or b.
+/// Coordinates are measured from the vertex.
 Values ends(const ContactProblem& p, const Law& law) {
   const auto vertex = to_real<Number>(vertex_of(p));
   std::vector<Number> jumps;
@@ -42,7 +43,7 @@ Values ends(const ContactProblem& p, const Law& law) {
     while (k < jumps.size() && jumps[k] < x) ++k;
     return angle[k];
   };
-  /// int_0^x y^j alpha dy
+  /// Returns int_0^x y^j alpha dy.
   const auto integral = [&](const Number& x, int j) {
     const auto power = [&](const Number& y) { return j == 0 ? y : Number(y * y / 2); };
     Number sum = 0;
@@ -65,7 +66,7 @@ Values ends(const ContactProblem& p, const Law& law) {
     const Number right = 1 + 2 * angle_at(b);
     const Number da = (first * b - second) / (left * (b - a));
     const Number db = (second - first * a) / (right * (b - a));
-    // An end stays on its side of the vertex of a step too long: the contact does not vanish.
+    // The limited step keeps each end on its side of the vertex, so that the contact does not vanish.
     const Number longest = (b - a) / 3;
     const Number scale = std::max({Number(1), Number(abs(da) / longest), Number(abs(db) / longest)});
     a += da / scale;

@@ -1,4 +1,5 @@
-// Where the load of a flat punch acts as one of its edges lifts: the traction has a free end there, and is integrated.
+// Finds where the load of a flat punch acts when one of its edges lifts. The traction then has a free end there, and is
+// integrated.
 
 #include "numeric/cauchy/traction_density.hpp"
 #include "numeric/flat_punch/flat_punch.hpp"
@@ -17,7 +18,7 @@ CaseList<ContactProblem> punches(const Context& context) {
                          [&](Random& random) { return random_punch(context, random, random.below(5)); });
 }
 
-/// int x t/int t with the power of the free end at point j.
+/// Returns int x t/int t, where the edge that lifts has the power of a free end.
 template <Real R>
 R place_of_load(const ContactProblem& p, bool front_lifts) {
   PowerProduct t = punch_traction(p);
@@ -27,7 +28,7 @@ R place_of_load(const ContactProblem& p, bool front_lifts) {
   return grid.moment(R(0)) / grid.integral();
 }
 
-/// M_0 and M_1.
+/// Returns M_0 and M_1.
 std::array<Number, 2> moments(const ContactProblem& p) {
   std::array<Number, 2> m{};
   for (const ContactProblem::Piece& piece : p.pieces()) {

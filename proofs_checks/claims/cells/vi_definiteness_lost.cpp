@@ -6,8 +6,8 @@
 namespace steadyslide::proofs_checks::vi_definiteness_lost {
 namespace {
 
-/// A fall of s by `step` at c on `cells` equal cells; or, without a step, how fast sup T(c)^2/E tends to its law for
-/// c = 0, on 16 cells to so many.
+/// A fall of s by `step` at c on `cells` equal cells. Without a step: the rate at which sup T(c)^2/E for c = 0 tends to
+/// its law, on 16 to `cells` cells.
 struct Fall {
   Rational step;
   Rational c;
@@ -20,7 +20,7 @@ std::string text_of(const Fall& fall) {
   return "s falls by " + to_string(fall.step) + " at " + to_string(fall.c) + ", " + cells;
 }
 
-/// What decides whether the form is indefinite: (s- - s+) sup(T(c)^2/E)/2 > 1.
+/// The law: the form is indefinite if (s- - s+) sup(T(c)^2/E)/2 > 1.
 struct DefinitenessLaw {
   PointValueLaw largest;
   double factor = 0.5;
@@ -31,7 +31,7 @@ struct DefinitenessLaw {
   }
 };
 
-/// Ten per cent fewer and more cells than the law foretells.
+/// Returns cases with ten per cent fewer and ten per cent more cells than the law predicts.
 CaseList<Fall> falls(const Context& context) {
   Random random(context.seed, "vi-definiteness-lost");
   CaseList<Fall> list{{}, "falling jumps, `N` 10 % on either side, seed " + std::to_string(context.seed)};
@@ -41,7 +41,7 @@ CaseList<Fall> falls(const Context& context) {
     const auto c = to_real<double>(place);
     for (const double factor : {0.9, 1.1}) {
       const auto cells = 2 * static_cast<std::size_t>(std::lround(factor * law.cells(limit, c) / 2));
-      // A jump inside a cell is felt less than one between two: the law says how much less.
+      // A jump inside a cell has less effect than one between two cells. The law gives the difference.
       if (std::abs(law(static_cast<double>(cells), c) - limit) > 0.02) list.cases.push_back({step, place, cells});
     }
   };
@@ -55,7 +55,7 @@ CaseList<Fall> falls(const Context& context) {
   return list;
 }
 
-/// The law's error falls with the cells' length.
+/// Checks that the law's error falls with the length of the cells.
 void check_rate(Findings& findings, const PointValueLaw& law, std::size_t most) {
   double before = 0;
   double rate = 0;

@@ -7,7 +7,7 @@
 namespace steadyslide::proofs_checks::vi_definiteness_lost_graded {
 namespace {
 
-/// s falls by `step` in the middle of the support.
+/// A fall of s by `step` in the middle of the support.
 struct Fall {
   Rational step;
 };
@@ -31,17 +31,18 @@ CellMesh graded_cells(double smallest) {
 
 double point_value(double smallest) { return largest_point_value(graded_cells(smallest), 0); }
 
-/// sup T(0)^2/E = slope log(1/h) + constant, h the smallest cell over the support's length.
+/// The law sup T(0)^2/E = slope log(1/h) + constant, where h is the smallest cell's length divided by the support's.
 struct GradedLaw {
   double slope;
   double constant;
-  double factor = 0.5;  ///< indefinite where factor (s- - s+) sup T(0)^2/E > 1
+  double factor = 0.5;  ///< indefinite if factor (s- - s+) sup T(0)^2/E > 1
 
-  /// The constant as measured at two h. Extrapolated: both are at least a thousand times as large as those foretold.
+  /// Returns the law with the constant measured at two h. Both are at least a thousand times larger than the predicted
+  /// critical values: the law is extrapolated.
   static GradedLaw of(double slope) {
     return {slope, (point_value(1e-3) + slope * std::log(1e-3) + point_value(1e-4) + slope * std::log(1e-4)) / 2};
   }
-  /// h where the symmetric part is semidefinite.
+  /// Returns the h at which the symmetric part is semidefinite.
   double critical(const Rational& step) const {
     return std::exp((constant - 1 / (factor * to_real<double>(step))) / slope);
   }
@@ -50,7 +51,7 @@ struct GradedLaw {
 void check(Findings& findings, const GradedLaw& law, const Fall& fall) {
   for (const double factor : {1.1, 1 / 1.1}) {
     const double smallest = factor * law.critical(fall.step);
-    // Beyond the smallest numbers there are no cells.
+    // Cells cannot be shorter than the smallest numbers.
     findings.require(smallest > 1e-200 && smallest < 1, "no cells have the length " + short_text(smallest));
     const double least = smallest_eigenvalue({{fall.step, 0}, {0}}, graded_cells(smallest));
     check_sign(findings, least, factor > 1, "the smallest cell is " + short_text(smallest) + ", ");

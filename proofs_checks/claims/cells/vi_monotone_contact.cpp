@@ -1,10 +1,10 @@
-// While the set K of cells in contact stays, a growing load adds the punch of K: pressures x with B_KK x = 1, up to a
-// factor. If x > 0 for every K, and nothing off K penetrates a level punch, (B x)_i < 1 there, then cells are only ever
-// taken in, no pressure falls, and there is one solution for every load: followed back to no load, all of them shrink
-// to the lowest cell. On the continuum this is Galin's t0, of one sign for any number of contact components and
-// friction jumps: |Y| times a polynomial that has its zeros in the gaps, one in each. On cells it has to be examined.
-// It holds on equal cells for s up to 1/2. It fails where s falls by 3/5, and on cells of alternating lengths even
-// without friction. Where the indenter tilts, contact may be lost as the load grows.
+// While the set K of cells in contact stays the same, a growing load adds the punch of K: pressures x with B_KK x = 1,
+// up to a factor. Suppose that x > 0 for every K, and that no cell outside of K penetrates a level punch, (B x)_i < 1
+// there. Then cells only join the contact, no pressure falls, and there is one solution for every load: followed back
+// to load zero, all solutions shrink to the lowest cell. On the continuum this punch is Galin's t0. It has one sign for
+// any number of contact components and friction jumps: |Y| times a polynomial with one zero in each gap. On cells the
+// two conditions must be examined. They hold on equal cells for s up to 1/2. They fail if s falls by 3/5, and on cells
+// of alternating lengths even without friction. If the indenter may tilt, contact may be lost as the load grows.
 
 #include <algorithm>
 #include <cmath>
@@ -19,11 +19,11 @@ namespace {
 
 using numeric::variational::LemkeResult;
 
-/// The punch of some cells, or a profile under a load and under one that is `growth` times as large.
+/// The punch of some cells, or a profile under two loads, the second `growth` times as large as the first.
 struct OnCells {
   CellFrictionSteps steps;
   CellMesh mesh;
-  std::vector<std::size_t> contact = {};  ///< of the punch
+  std::vector<std::size_t> contact = {};  ///< cells of the punch
   std::vector<std::size_t> others = {};
   Polynomial profile = Polynomial();
   Rational load = 0;
@@ -38,11 +38,11 @@ std::string text_of(const OnCells& c) {
          to_string(Rational(c.load * c.growth));
 }
 
-/// Among which cases the statement is examined.
+/// The range of the cases.
 struct DataRange {
-  Rational largest{1, 2};  ///< s
+  Rational largest{1, 2};  ///< largest s
   Cells cells = Cells::equal;
-  std::optional<Rational> growth = {};  ///< else random, 1 to 3
+  std::optional<Rational> growth = {};  ///< if absent, random from 1 to 3
 };
 
 CellFrictionSteps random_friction(Random& random, const DataRange& range) {
@@ -80,7 +80,8 @@ auto within(const DataRange& range) {
   };
 }
 
-/// Two bumps, the load near the right one: some cells of the left one lose contact.
+/// Returns a profile with two bumps; the load acts close to the right one, so that some cells of the left one lose
+/// contact.
 CaseList<OnCells> tilting(const Context&) {
   const CellFrictionSteps none{{0, 0}, {0}};
   OnCells c{none, CellMesh(cell_problem(none), 32)};
@@ -91,7 +92,7 @@ CaseList<OnCells> tilting(const Context&) {
   return {{c}, "two bumps"};
 }
 
-/// t0 of one sign, and no penetration.
+/// Returns the tension and the penetration of the punch, both zero if t0 has one sign and nothing penetrates.
 Values punch_of_cells(const OnCells& c) {
   const auto b = operator_of(c.steps, c.mesh);
   const auto block = [&](const std::vector<std::size_t>& rows) {
@@ -113,8 +114,8 @@ LemkeResult solved(const OnCells& c, const Rational& load) {
   return result;
 }
 
-/// How far a pressure falls, and the largest one in a cell that loses contact: a cell on the verge of contact is in
-/// contact or not, as rounding decides.
+/// Returns the largest fall of a pressure, and the largest pressure in a cell that loses contact. For a cell with
+/// almost no pressure, rounding decides if it is in contact.
 Values under_both_loads(const OnCells& c) {
   const LemkeResult small = solved(c, c.load);
   const LemkeResult large = solved(c, c.load * c.growth);

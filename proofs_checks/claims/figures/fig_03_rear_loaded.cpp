@@ -7,10 +7,11 @@
 namespace steadyslide::proofs_checks::fig_03_rear_loaded {
 namespace {
 
-/// Friction f on both halves: a jump of height zero at 0 makes the solver share the load there.
+/// Returns a punch with friction f on both halves. A friction jump of height zero at 0 makes the solver return the load
+/// share there.
 ContactProblem halves(const Rational& nu, const Rational& f) { return punch(nu, {f, f}, {0}); }
 
-/// int_{-1}^0 of (4) under the load 1, by quadrature.
+/// Returns the integral of (4) over [-1, 0] under the load 1, by quadrature.
 template <Real R>
 R rear_load_by_quadrature(const ContactProblem& p) {
   const Number size = -punch_amplitude<Number>(p, 0);
@@ -19,7 +20,7 @@ R rear_load_by_quadrature(const ContactProblem& p) {
   return tanh_sinh::panel_integral<R>(t.at<R>().traction().density().front()).value;
 }
 
-/// What (4) says with this alpha, the minimum at `place` times alpha. The share of the rear half is
+/// Returns the predictions of (4) with this alpha; the minimum lies at `place` times alpha. The rear half has the share
 ///
 ///   (2 cos(pi alpha)/pi) int_0^1 v^{-2 alpha}/(1+v^2) dv,   v^2 = (1+x)/(1-x),
 ///     = (cos(pi alpha)/(2 pi)) (digamma(3/4 - alpha/2) - digamma(1/4 - alpha/2)).
@@ -64,7 +65,7 @@ Claim claim() {
                       {"more than half", share > R(1) / 2},
                       {"rear power", end_power<R>(Side::right, EndTraction::unbounded, s)},
                       {"front power", end_power<R>(Side::left, EndTraction::unbounded, s)}};
-        // Unbounded at both ends: one extreme is the minimum.
+        // The pressure is unbounded at both ends, so a single extreme is the minimum.
         const std::vector<R> extremes = extremes_between<R>(pressure, R(-1), R(1));
         if (extremes.size() != 1) return values;
         values.add({"place", extremes.front()});

@@ -11,7 +11,7 @@ ContactProblem two_coatings(const Rational& s_rear, const Rational& s_front) {
           Indenter(-1, {{1, Polynomial()}}), 1};
 }
 
-/// Places of extremes of |t|, from left to right, and how many there are on each half.
+/// Adds the extremes of |t| from left to right, and their number on each half.
 template <Real R>
 void add_extremes(Values& values, const std::vector<R>& places) {
   const auto behind = std::ranges::count_if(places, [](const R& x) { return x < 0; });
@@ -22,7 +22,7 @@ void add_extremes(Values& values, const std::vector<R>& places) {
   }
 }
 
-/// The power beta, and extremes at the roots of x^2 - sum x + beta in ]-1, 1[.
+/// Returns the power beta, and the extremes: the roots of x^2 - sum x + beta in ]-1, 1[.
 Values shape(const Number& sum, const Number& beta) {
   Values values{{"power", beta}, {"unbounded", beta < 0}, {"equation", Number(0)}};
   const Number square = sum * sum - 4 * beta;
@@ -41,7 +41,7 @@ Claim claim() {
   const Rational low(1, 10);
   const Rational high(3, 5);
   return compared<ContactProblem>("fig-04-shape")
-      // The third has both roots in front of the jump.
+      // In the third case both roots lie in front of the jump.
       .cases(fixed_cases<ContactProblem>(
           {two_coatings(low, high), two_coatings(high, low), two_coatings(3, Rational(7, 5)), two_coatings(0, 2),
            two_coatings(2, 0), two_coatings(Rational(7, 5), 3), two_coatings(20, 15)},

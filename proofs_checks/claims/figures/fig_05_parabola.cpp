@@ -6,7 +6,7 @@
 namespace steadyslide::proofs_checks::fig_05_parabola {
 namespace {
 
-/// psi/c = x^2/(2 R), R = 1/5.
+/// The radius R = 1/5 of the profile psi/c = x^2/(2 R).
 const Rational radius(1, 5);
 
 ContactProblem parabola(const Rational& f, const Rational& load, Sliding sliding = Sliding::plus_x) {
@@ -14,8 +14,8 @@ ContactProblem parabola(const Rational& f, const Rational& load, Sliding sliding
           Indenter(-2, {{2, Polynomial({0, 0, 1 / (2 * radius)})}}), load, sliding};
 }
 
-/// The contact of half-width a under the angle alpha. Sliding the other way, alpha is negative and the rear on the
-/// right.
+/// Returns the predicted contact of half-width a for the angle alpha. For sliding towards -x, alpha is negative and the
+/// rear is on the right.
 Values shifted_contact(const Number& alpha, const Number& a) {
   return {{"left end", Number(-(1 + 2 * alpha) * a)},
           {"right end", Number((1 - 2 * alpha) * a)},
@@ -54,7 +54,7 @@ Claim claim() {
                       {"equation", equation_error(p)}};
         const std::size_t end = contact_end(*solution, Side::left);
         const auto pressure = [&](const R& x) { return R(-traction_beside(*solution, end, Side::right, R(x - left))); };
-        // Zero at both ends: one extreme is the maximum.
+        // The pressure is zero at both ends, so a single extreme is the maximum.
         const std::vector<R> extremes = extremes_between<R>(pressure, left, right);
         if (extremes.size() != 1) return values;
         const R centre = (left + right) / 2;

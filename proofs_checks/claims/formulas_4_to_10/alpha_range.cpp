@@ -26,11 +26,11 @@ CaseList<RigidContact> contacts(const Context& context) {
   return list;
 }
 
-/// alpha as an exact number, and the interval [0, supremum[ that it fills.
+/// alpha as an exact number, and the interval [0, supremum[ of its values.
 struct Angle {
-  bool coupled = true;  ///< of gamma f, else of f
-  int times = 1;        ///< -1, 1, 2
-  Exponent moved;       ///< added by a near miss
+  bool coupled = true;  ///< angle of gamma f; if false, of f
+  int times = 1;        ///< factor: -1, 1 or 2
+  Exponent moved;       ///< a near miss adds this
   Exponent supremum = half;
 
   Exponent of(const Rational& gamma, const Rational& f) const {
@@ -58,7 +58,7 @@ Claim claim() {
         const R value = to_real<R>(alpha);
         const auto cln = symbolic::cln_alpha(c.nu, c.f, Plane::strain, numeric::digits_served<R> + 5);
         findings.compare<R>("by cln", value, to_real<R>(cln.value));
-        // With large f the cosine is as ill-conditioned as it is small.
+        // For large f the cosine is small, and its relative error is correspondingly large.
         const R root = cos_pi_alpha<R>(gamma * c.f);
         findings.compare("cosine", R(abs(cos(R(numeric::pi<R>() * value)) - root)));
       })

@@ -20,7 +20,7 @@ CaseList<ContactProblem> punches(const Context& context) {
   });
 }
 
-/// The power and the ratio that the formula has, against those with which the operator's residual vanishes at the jump.
+/// Compares the power and the ratio of the formula with those for which the operator's residual vanishes at the jump.
 template <Real R>
 void check_at_the_jump(Findings& findings, const PowerProduct& t, const ContactProblem& problem) {
   using std::abs;

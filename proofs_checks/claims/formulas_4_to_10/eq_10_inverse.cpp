@@ -6,7 +6,7 @@
 namespace steadyslide::proofs_checks::eq_10_inverse {
 namespace {
 
-/// u' linear under constant friction.
+/// A linear u' under constant friction.
 struct LinearSlope {
   ContactProblem problem;
   Polynomial slope;
@@ -37,7 +37,7 @@ CaseList<LinearSlope> slopes(const Context& context) {
 template <Real R>
 void check_inverse(Findings& findings, const InverseFormula& formula, const LinearSlope& c) {
   using std::abs;
-  // Of load 0, with A t = u': with u'/Y = Q + O(1/z), t = cos(pi alpha) |Y| Q.
+  // The traction of load 0 with A t = u': if u'/Y = Q + O(1/z), then t = cos(pi alpha) |Y| Q.
   const PanelDensity<R> closed = density_of(inverse_without_integral<R>(c.s(), c.slope));
   const std::vector<R> u = coefficients_of<R>(c.slope);
   const numeric::SurfaceCheck<R> surface({closed}, {to_real<R>(c.problem.coupled_friction(0))},

@@ -4,8 +4,9 @@
 namespace steadyslide::proofs_checks::n_jump_punch {
 namespace {
 
-/// 0, 1, ..., 8 jumps, towards +x and -x, Poisson ratios and friction over their whole ranges. In this order the
-/// controls meet two jumps first, and a quick run, which takes every fourth or sixteenth, the cheap ones.
+/// Returns punches with 0, 1, ..., 8 friction jumps, sliding towards +x and -x, with Poisson's ratios and friction in
+/// their whole ranges. The order has two reasons: controls begin with two jumps, and a quick run, which takes every
+/// fourth or sixteenth case, gets cheap ones.
 CaseList<ContactProblem> punches(const Context& context) {
   const std::vector<Rational> friction{Rational(1, 5), 2,  Rational(1, 2), 0, 50, 1,
                                        Rational(7, 3), 10, Rational(1, 10)};

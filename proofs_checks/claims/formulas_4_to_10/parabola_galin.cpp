@@ -4,7 +4,8 @@
 namespace steadyslide::proofs_checks::parabola_galin {
 namespace {
 
-/// The printed formulas: the zone from `half_width`, the traction with the factor 1/R, and that factor from the load.
+/// The printed formulas: the contact from `half_width`, the traction with the factor 1/R, and this factor from the
+/// load.
 struct Galin : ParabolaTraction {
   Number half_width;
   Number peak;
@@ -26,7 +27,7 @@ CaseList<ContactProblem> parabolas(const Context& context) {
   });
 }
 
-/// The zone and the peak for a half-width.
+/// Sets the contact and the peak for a half-width.
 void put_half_width(Galin& t, const Number& a, const ContactProblem& p) {
   t.half_width = a;
   t.left_end = -2 * to_real<Number>(half + alpha(p, 0)) * a;
@@ -35,7 +36,7 @@ void put_half_width(Galin& t, const Number& a, const ContactProblem& p) {
 }
 
 Galin galin(const ContactProblem& p) {
-  // 1/4 - alpha^2 as a product: alpha may be next to 1/2.
+  // 1/4 - alpha^2 is computed as a product, because alpha may be close to 1/2.
   const Number quarter = to_real<Number>(half - alpha(p, 0)) * to_real<Number>(half + alpha(p, 0));
   const auto load = to_real<Number>(p.load());
   const auto radius = to_real<Number>(radius_of(p));
@@ -48,7 +49,7 @@ Galin galin(const ContactProblem& p) {
   return t;
 }
 
-/// The largest pressure: where sum p_j/(x - r_j), the logarithmic derivative of t, changes its sign from + to -.
+/// Checks the largest pressure: there sum p_j/(x - r_j), the logarithmic derivative of t, changes its sign from + to -.
 template <Real R>
 void check_peak(Findings& findings, const Galin& t, const ContactProblem& problem) {
   using std::abs;

@@ -10,7 +10,7 @@ CaseList<ContactProblem> parabolas(const Context& context) {
       parabola(Rational(3, 10), {Rational(1, 2), 3, 1}, {Rational(-1, 5), Rational(1, 10)}, 1, 1),
       parabola(Rational(3, 10), {Rational(1, 2), 2}, {0}, Rational(1, 5), 1),
       parabola(Rational(3, 10), {2, Rational(1, 2)}, {0}, Rational(1, 5), 1, Rational(1, 3), Sliding::minus_x),
-      // The outer jumps stay outside of the contact.
+      // The outer jumps lie outside of the contact.
       parabola(0, {1, 0, 2, Rational(1, 3)}, {-5, Rational(1, 20), 7}, Rational(1, 2), 1),
       parabola(Rational(-9, 10), {50, 1, 10}, {Rational(-3, 5), Rational(1, 7)}, 2, 2),
       parabola(Rational(499, 1000), {1, 50}, {Rational(-1, 9)}, 1, 3)};
@@ -25,7 +25,7 @@ CaseList<ContactProblem> parabolas(const Context& context) {
   });
 }
 
-/// The zone that the numeric layer finds; everything else is what the claim says of it.
+/// Returns the claim's formula for the traction on the contact that the numeric layer finds.
 ParabolaTraction traction_on_solved_zone(const ContactProblem& p) {
   const auto data = std::get<numeric::ClosedFormData<Number>>(numeric::closed_form_data<Number>(p));
   ParabolaTraction t;
@@ -38,7 +38,7 @@ ParabolaTraction traction_on_solved_zone(const ContactProblem& p) {
     t.amplitudes.push_back(-cos_pi_alpha<Number>(s_of(p, data.first_piece + k)) / radius);
     angles.push_back(alpha(p, data.first_piece + k));
   }
-  // A free end has the power of an edge and one.
+  // The power of a free end is that of an edge plus one.
   t.exponents = punch_powers(angles);
   t.exponents.front() += Exponent(1);
   t.exponents.back() += Exponent(1);

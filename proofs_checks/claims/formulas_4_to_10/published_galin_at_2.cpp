@@ -9,7 +9,7 @@ struct Published {};
 
 std::string text_of(const Published&) { return "gamma f = 1, x = 2"; }
 
-/// int weight(x)/(x-2) dx over ]-1, 1[ and its value.
+/// The integral int weight(x)/(x-2) dx over ]-1, 1[ and its value.
 struct CauchyIntegral : PowerProduct {
   Number value;
 };

@@ -19,7 +19,8 @@ std::string text_of(const Body& body) {
          ", t_t = " + to_string(body.tangential);
 }
 
-/// u_n' = compliance (hilbert PV int t_n/(x'-x) dx' + shear t_t), u_t' likewise with pressure t_n.
+/// The formulas u_n' = compliance (hilbert PV int t_n/(x'-x) dx' + shear t_t), and u_t' in the same way with pressure
+/// t_n.
 struct SurfaceSlopes {
   Number compliance;
   Number hilbert;
@@ -37,7 +38,7 @@ CaseList<Body> bodies(const Context& context) {
                       });
 }
 
-/// The largest difference of components, over the largest component.
+/// Returns the largest difference of components, divided by the largest component.
 template <Real R>
 double difference(const StressComponents<R>& a, const StressComponents<R>& b) {
   using std::abs, std::max;
@@ -45,12 +46,13 @@ double difference(const StressComponents<R>& a, const StressComponents<R>& b) {
   return static_cast<double>(R(max({R(abs(a.xx - b.xx)), R(abs(a.zz - b.zz)), R(abs(a.xz - b.xz))}) / largest));
 }
 
-/// Is it the elastic field of these tractions? Equilibrium, compatibility (sigma_xx + sigma_zz is harmonic: its mean
-/// over a circle is its value in the centre), the tractions on the surface, and the sum of radial fields.
+/// Checks that the field is the elastic field of these tractions: equilibrium, compatibility (sigma_xx + sigma_zz is
+/// harmonic, so that its mean over a circle is its value in the centre), the tractions on the surface, and the sum of
+/// radial fields.
 template <Real R>
 void check_field(Findings& findings, const HalfPlaneField<R>& field, const Body& body) {
   using std::abs, std::cos, std::sin;
-  // Eight values: an error like the step's eighth power, and rounding over the step.
+  // Eight values: the error is of the order of the step to the power eight, plus rounding divided by the step.
   const R x = R(1) / 3;
   const R z = R(4) / 5;
   const StressComponents<R> at = field.stress(x, z);

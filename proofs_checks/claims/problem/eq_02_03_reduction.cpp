@@ -9,7 +9,7 @@
 namespace steadyslide::proofs_checks::eq_02_03_reduction {
 namespace {
 
-/// A traction under friction with jumps; the profile says nothing.
+/// A traction under friction with jumps. The profile is not used.
 struct Sheared {
   ContactProblem problem;
   Polynomial normal;
@@ -33,7 +33,7 @@ CaseList<Sheared> cases(const Context& context) {
                       "random polynomials, frictions with up to two jumps, sliding both ways", random_case);
 }
 
-/// s on each piece, in u_bar_n' = H t_n + s t_n.
+/// The values of s on the pieces, in u_bar_n' = H t_n + s t_n.
 using PiecewiseS = std::vector<Rational>;
 
 template <Real R>
@@ -43,7 +43,7 @@ void check_reduction(Findings& findings, const PiecewiseS& s, const Sheared& c) 
   PiecewiseTraction normal, tangential;
   std::vector<R> said;
   for (const auto& [left, right, friction, profile] : c.problem.pieces()) {
-    // The component along +x of what the indenter exerts on the body: friction drags the body along.
+    // The component along +x of the traction that the indenter exerts on the body: friction drags the body along.
     const Rational ratio = c.problem.shear_ratio(friction);
     normal.push_back({left, right, c.normal});
     tangential.push_back({left, right, Polynomial::constant(ratio) * c.normal});

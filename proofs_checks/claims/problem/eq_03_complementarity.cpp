@@ -1,4 +1,4 @@
-// The conditions of contact, examined on solutions by a rule that found none of them. [Bal16, (3)]
+// Checks the conditions of contact on solutions by a rule that was not used to find them. [Bal16, (3)]
 
 #include <algorithm>
 
@@ -14,22 +14,23 @@ namespace {
 
 using numeric::ContactState;
 
-/// Which traction is held to be the solution.
+/// The traction that is checked as the solution.
 struct Candidate {
   enum class Which {
     solution,
-    moved_end,     ///< the first free end elsewhere
-    too_short,     ///< edges within the contact, the equation and the load kept
-    too_long,      ///< edges beyond the contact, the equation and the load kept
-    full_contact,  ///< over the notch too, where no place shows that the corner pulls
-    unsolved       ///< of a problem that has no solution in double
+    moved_end,     ///< the first free end in another position
+    too_short,     ///< edges inside the contact; equation and load hold
+    too_long,      ///< edges outside of the contact; equation and load hold
+    full_contact,  ///< contact over the notch too; no sampled point shows that the corner pulls
+    unsolved       ///< solution of a problem that has none in double
   } which = Which::solution;
-  Number by = Number(1) / 100;  ///< how far an end is moved, over the contact's length
-  Number factor = 1;            ///< of the traction
+  Number by = Number(1) / 100;  ///< distance by which an end moves, divided by the contact's length
+  Number factor = 1;            ///< factor of the traction
 };
 
-/// A notch over a rising jump, seven tenths of the load under which it closes; the power's amplitude pulls on 10^-11 of
-/// a full contact. Without the jump, and under a heavy load, the gap would be shorter than any number.
+/// Returns a notch over a rising friction jump, under seven tenths of the load that closes it. In full contact the
+/// amplitude of the power would pull on 10^-11 of the contact. Without the jump, and under a heavy load, the gap would
+/// be shorter than any number.
 ContactProblem notch(bool solvable) {
   const Rational flank(1, 5);
   return {Elasticity(Solid(Rational(1, 5), 1)),
@@ -38,7 +39,7 @@ ContactProblem notch(bool solvable) {
           solvable ? Rational(3029, 1000) : Rational(1000), Sliding::plus_x};
 }
 
-/// One well, or two under a small load: mostly two components then.
+/// Returns a profile with one well, or with two under a small load, which mostly gives two components.
 ContactProblem random_problem(Random& random, std::size_t k) {
   CellFrictionSteps steps = random_steps(random, Trend::any, 2, k == 0 ? 1 : 3);
   if (k % 2 == 1) steps = mirrored(steps);
@@ -56,7 +57,7 @@ CaseList<ContactProblem> problems(const Context& context) {
   return list;
 }
 
-/// The problem on a shorter or longer support.
+/// Returns the problem on a shorter or longer support.
 ContactProblem on_support(const ContactProblem& p, const Rational& left, const Rational& right) {
   const std::vector<Rational>& values = p.friction().values();
   const std::vector<Rational>& jumps = p.friction().jumps();
@@ -68,16 +69,16 @@ ContactProblem on_support(const ContactProblem& p, const Rational& left, const R
       .with_indenter(Indenter(left, {{right, p.indenter().pieces().front().profile}}));
 }
 
-/// A form with all that it points to.
+/// A form with all data that it points to.
 template <class R>
 struct Held {
   std::shared_ptr<const RiemannHilbertSolution<R>> solution;
-  std::optional<ContactProblem> problem;  ///< on another support
+  std::optional<ContactProblem> problem;  ///< the problem on another support
   std::optional<numeric::RoundedProblem<R>> reduced;
   numeric::JacobiRules<R> rules;
   std::optional<TractionRepresentation<R>> form;
 
-  /// In contact all over the support, with edges.
+  /// Puts the whole support in contact, with edges at both ends.
   void put_edges(const numeric::RoundedProblem<R>& on) {
     const auto left = static_cast<double>(on.anchors().front().x);
     const auto right = static_cast<double>(on.anchors().back().x);
@@ -90,7 +91,7 @@ template <Real R>
 std::unique_ptr<Held<R>> hold(const ContactProblem& problem, const Candidate& candidate) {
   using Which = Candidate::Which;
   auto held = std::make_unique<Held<R>>();
-  // What is not solved ends the walk, with the reason: no case is passed over.
+  // A problem that is not solved ends the check with the reason. No case is left out.
   held->solution = solve<R>(candidate.which == Which::unsolved ? notch(false) : problem);
   const TractionRepresentation<R>& form = held->solution->form();
   if (candidate.which == Which::too_short || candidate.which == Which::too_long) {
@@ -115,7 +116,7 @@ std::unique_ptr<Held<R>> hold(const ContactProblem& problem, const Candidate& ca
   return held;
 }
 
-/// psi - u over c P beyond the end of panel k, `distance` from there in xi; both ends of it in the user's x.
+/// Returns (psi - u)/(c P) at `distance` in xi beyond an end of panel k, measured from this end.
 template <Real R>
 R opening(const numeric::SurfaceCheck<R>& check, const numeric::Panel<R>& panel, const TractionRepresentation<R>& form,
           const ContactProblem& problem, std::size_t k, Side side, const R& distance) {
@@ -127,8 +128,9 @@ R opening(const numeric::SurfaceCheck<R>& check, const numeric::Panel<R>& panel,
   return (rise - unit * check.displacement(k, side, distance)) / to_real<R>(problem.load());
 }
 
-/// How many sides of ends, jumps and wedges pull in the limit: read off the traction at a distance where the leading
-/// term of any of its local forms has outgrown the others, by a factor 10^40 at 50 digits if |beta| > 10^-4.
+/// Returns the number of sides of ends, jumps and wedges at which the traction pulls in the limit. The traction is
+/// evaluated at a distance at which the leading term of each local form is larger than the others, at 50 digits by a
+/// factor 10^40 if |beta| > 10^-4.
 template <Real R>
 int pulling_sides(const TractionRepresentation<R>& form, const R& factor) {
   using std::abs, std::pow;
@@ -177,10 +179,10 @@ void examine(Findings& findings, const ContactProblem& problem, const Candidate&
     const R left = to_real<R>(problem.indenter().left());
     const R right = to_real<R>(problem.indenter().right());
     const auto look = [&](Side side, const R& length, int steps) {
-      // Contact that reaches the support's end leaves nothing beyond but a rounding.
+      // If the contact reaches the end of the support, the rest is only rounding.
       if (!(length > 64 * numeric::epsilon<R>() * form.set().span_length())) return;
       for (int i = 1; i < steps; ++i) {
-        // Denser towards the end of the contact.
+        // The points are denser towards the end of the contact.
         const R d = length * i * i * i * i / (steps * steps * steps * steps);
         const R gap = opening<R>(check, panel, form, problem, k, side, d);
         findings.compare("penetration", static_cast<double>(max(R(-gap), R(0))));
@@ -191,14 +193,14 @@ void examine(Findings& findings, const ContactProblem& problem, const Candidate&
       look(Side::right, R((right - origin) / unit - panel.right), 6);
     } else if (density[k + 1].gap > 0) {
       look(Side::right, density[k + 1].gap, 6);
-      // From both sides to the middle: at a component's end the rule has no value.
+      // Both sides are continued to the middle, because the rule has no value at the end of a component.
       const R half = density[k + 1].gap / 2;
       const R from_left = opening<R>(check, panel, form, problem, k, Side::right, half);
       const R from_right = opening<R>(check, density[k + 1].panel, form, problem, k + 1, Side::left, half);
       findings.compare("closure", R(abs(from_left - from_right)));
     }
   }
-  // The dearest one last: controls fail before.
+  // The most expensive check comes last, because controls fail earlier.
   findings.compare("equation", static_cast<double>(check.equation()));
 }
 
@@ -211,7 +213,7 @@ Claim claim() {
       .precision(Precision::quick_in_double)
       .checked([]<Real R>(Findings& findings, const Candidate& candidate, const ContactProblem& problem,
                           const Context& context) {
-        // All problems with fifty digits at least.
+        // A full run examines all problems at 50 digits or more.
         if (std::same_as<R, double> && !context.quick) return examine<Real50>(findings, problem, candidate);
         examine<R>(findings, problem, candidate);
       })

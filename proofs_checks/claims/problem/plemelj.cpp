@@ -8,7 +8,7 @@ namespace {
 
 using numeric::BoundaryLimit;
 
-/// A traction with Y by its powers, G per panel, and the factor of Y/i in Phi.
+/// A traction with Y by its powers, G on each panel, and the factor of Y/i in Phi.
 struct PlemeljJump : PowerProduct {
   std::vector<Complex<Number>> ratios;
   Number potential;
@@ -42,7 +42,7 @@ double distance(const Complex<R>& a, const Complex<R>& b, const R& size) {
   return static_cast<double>(R(sqrt(R(c.re * c.re + c.im * c.im)) / size));
 }
 
-/// Plemelj's formulas by quadrature: H t = i (Phi^+ + Phi^-), and with s t the operator's value, zero.
+/// Checks Plemelj's formulas by quadrature: H t = i (Phi^+ + Phi^-), and H t + s t, the operator's value, is zero.
 template <Real R>
 void check_operator(Findings& findings, const PowerForm<R>& form, const R& potential, const ContactProblem& problem) {
   using std::abs;
@@ -89,7 +89,7 @@ void check_jump(Findings& findings, const PlemeljJump& formula, const ContactPro
       const Complex<R> difference{potential * (above.im - below.im), potential * (below.re - above.re)};
       const R value = t(k, node);
       findings.compare("traction", distance<R>(difference, {value, R(0)}, abs(value)));
-      // Off the axis distances are differences of coordinates: a short panel costs digits.
+      // Off the axis distances are differences of coordinates, so a short panel loses digits.
       const R height = small * shortest;
       findings.compare("limit", static_cast<double>(shortest) * distance(y.at({node.x, height}), above, size));
       findings.compare("limit", static_cast<double>(shortest) * distance(y.at({node.x, R(-height)}), below, size));

@@ -14,7 +14,7 @@
 namespace steadyslide::proofs_checks::sec_02_infinite_energy {
 namespace {
 
-/// int sigma:epsilon/2 over radius < r < 2 radius, z > 0.
+/// Returns int sigma:epsilon/2 over radius < r < 2 radius, z > 0.
 double annulus_energy(const numeric::InteriorStress<double>& stress, const Solid& body, double radius) {
   using boost::math::quadrature::gauss;
   const double nu = to_real<double>(body.poisson());
@@ -33,7 +33,7 @@ double annulus_energy(const numeric::InteriorStress<double>& stress, const Solid
   return gauss<double, 7>::integrate(ring, 0.0, std::numbers::ln2);
 }
 
-/// The value at R = oo of a function of 1/R, from values at R, 2 R, 4 R, ...
+/// Returns the value at R = oo of a function of 1/R, from its values at R, 2 R, 4 R, ...
 double extrapolated_to_infinity(std::vector<double> f) {
   double power = 2;
   for (std::size_t n = f.size(); n > 1; --n) {
@@ -43,7 +43,7 @@ double extrapolated_to_infinity(std::vector<double> f) {
   return f.front();
 }
 
-/// How fast values at R, 2 R, ... approach their limit.
+/// Returns the rate at which values at R, 2 R, ... approach their limit.
 Order approach(const std::vector<double>& radii, const std::vector<double>& values) {
   const double limit = extrapolated_to_infinity(values);
   std::vector<Level> levels;
@@ -52,7 +52,7 @@ Order approach(const std::vector<double>& radii, const std::vector<double>& valu
   return {rate.value, rate.error_bar, "radii in powers of two"};
 }
 
-/// log 2 (P^2 + F^2)/(pi E'), E' the modulus.
+/// Returns log 2 (P^2 + F^2)/(pi E') with the modulus E'.
 double energy_of_forces(double p, double f, double modulus) {
   return std::numbers::ln2 * (p * p + f * f) / (std::numbers::pi * modulus);
 }
@@ -74,7 +74,7 @@ Claim claim() {
            punch(Rational(-1, 2), {Rational(3, 4)}, {}, 1, Sliding::minus_x)},
           1, "solved problems with and without friction jumps, sliding both ways"))
       .precision(Precision::in_double)
-      // The stresses far away are sums of parts that nearly cancel, and extrapolation takes differences.
+      // Stresses far away are sums of parts that almost cancel, and extrapolation takes differences: digits are lost.
       .measured([](const ContactProblem& problem) -> Values {
         const auto solution = solve<double>(problem);
         const auto& form = solution->form();
@@ -95,7 +95,7 @@ Claim claim() {
                 {"approach of the energy", approach(radii, energies)}};
       })
       .predicted([](const ContactProblem& problem) -> Values {
-        // F, which the statement takes as given.
+        // The statement takes F as given.
         const double f = solve<double>(problem)->resultants().tangential.value;
         const auto compliance = to_real<double>(problem.elasticity().compliance());
         return {{"rise", compliance * load_of(problem) * std::numbers::ln2 / std::numbers::pi},

@@ -31,7 +31,7 @@ CaseList<TwoBodies> pairs(const Context& context) {
   return list;
 }
 
-/// A constant by shear moduli and Kolosov's constants, the half-space first.
+/// A constant as a function of shear moduli and Kolosov's constants, those of the half-space first.
 using Constant =
     std::function<Rational(const Rational& mu1, const Rational& kappa1, const Rational& mu2, const Rational& kappa2)>;
 
@@ -47,7 +47,7 @@ Values constants(const TwoBodies& c, const Constant& gamma, const Constant& comp
   const auto of = [&](const Constant& constant, const Solid& one, const Solid& two) {
     return constant(one.shear_modulus(), one.kolosov(c.plane), two.shear_modulus(), two.kolosov(c.plane));
   };
-  // An indenter as stiff as 1e200 is rigid to 1e-94.
+  // An indenter with the stiffness 1e200 is rigid to 1e-94.
   const Solid stiff(c.indenter.poisson(), parse_rational("1e200"));
   return {{"gamma", of(gamma, c.half_space, c.indenter)},
           {"compliance", of(compliance, c.half_space, c.indenter)},

@@ -5,12 +5,12 @@
 namespace steadyslide::proofs_checks::rem_01_front_rear {
 namespace {
 
-/// A contact with the friction coefficients f at its ends, and one jump between them if they differ.
+/// A contact with given friction coefficients at its ends. If they differ, there is one friction jump between them.
 struct SlidingContact {
-  Rational gamma;  ///< given as it is: it vanishes for no rigid indenter
+  Rational gamma;  ///< given directly, because gamma does not vanish for a rigid indenter
   Rational f_rear;
   Rational f_front;
-  std::optional<Polynomial> profile = std::nullopt;  ///< absent: the exponents alone
+  std::optional<Polynomial> profile = std::nullopt;  ///< if absent, only the exponents are compared
   Sliding direction = Sliding::plus_x;
 
   bool has_jump() const { return f_rear != f_front; }
@@ -58,7 +58,7 @@ CaseList<SlidingContact> contacts(const Context& context) {
                    " random exponents with seed " + std::to_string(context.seed)};
 }
 
-/// With s as the model's problem has it.
+/// Returns the measurements, with s from the model's problem.
 template <Real R>
 Values measured(const SlidingContact& c) {
   const ContactProblem problem = c.problem();
@@ -85,7 +85,7 @@ Values measured(const SlidingContact& c) {
   return values;
 }
 
-/// Everything by alpha(gamma f), behind and in front, whichever way the indenter moves.
+/// Returns the predictions from alpha(gamma f) at the rear and at the front, for both directions of sliding.
 Values predicted(const SlidingContact& c) {
   const Exponent rear = Exponent::angle(c.gamma * c.f_rear);
   const Exponent front = Exponent::angle(c.gamma * c.f_front);

@@ -5,7 +5,7 @@
 namespace steadyslide::proofs_checks::rem_01_incompressible_order {
 namespace {
 
-/// Problems that differ by gamma alone: of a reduced problem, or by nu -> 1/2 at the same compliance.
+/// Problems that differ only by gamma: a reduced problem with this gamma, or nu -> 1/2 at the same compliance.
 struct Limit {
   std::string name;
   std::vector<Rational> f;

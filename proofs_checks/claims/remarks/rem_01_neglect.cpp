@@ -6,10 +6,10 @@
 namespace steadyslide::proofs_checks::rem_01_neglect {
 namespace {
 
-const Rational s_front(1);  ///< in front of the friction jump
+const Rational s_front(1);  ///< value of s in front of the friction jump
 
-/// A parabola, psi = x^2/2, under the friction s; what is left of its friction's influence as s -> 0; or either of what
-/// gives the traction another power: an edge, a friction jump.
+/// The cases: a parabola, psi = x^2/2, under the friction s; the limit of the influence of its friction as s -> 0; and
+/// the two features that give the traction another power, an edge and a friction jump.
 struct Neglect {
   enum class What { parabola, limit, punch, jump } what = What::parabola;
   Rational s = 0;
@@ -37,7 +37,7 @@ CaseList<Neglect> parabolas(const Context& context) {
 
 const Indenter parabola(-2, {{2, Polynomial({0, 0, Rational(1, 2)})}});
 
-/// gamma = 1, as good as: s is f times a number of the data.
+/// Returns a reduced problem with gamma = 1/2 and f = 2 s: the values of s are the data.
 ContactProblem sliding(std::vector<Rational> s, const Indenter& indenter, std::vector<Rational> jumps = {}) {
   for (Rational& value : s) value *= 2;
   return {Elasticity::reduced(Rational(1, 2)), FrictionProfile(std::move(s), std::move(jumps)), indenter, 1};
@@ -47,7 +47,7 @@ template <class R>
 struct Contact {
   R width;
   R centre;
-  R peak;    ///< t at x = 2 centre: -4 alpha a where the centre is at -2 alpha a
+  R peak;    ///< t at x = 2 centre: -4 alpha a if the centre is at -2 alpha a
   R middle;  ///< t at x = 0
 };
 
@@ -81,7 +81,7 @@ Values in_the_limit(const Contact<R>& zero) {
   return {{"loss", order(peaks)}, {"shift", order(centres)}, {"loss over s^2", over_square}};
 }
 
-/// On cells, which know no exponent.
+/// Returns the powers measured on cells. The cell solver uses no exponents.
 Values powers(const Neglect& c, bool quick) {
   const ContactProblem problem = c.what == What::punch ? sliding({c.s}, Indenter(-1, {{1, Polynomial()}}))
                                                        : sliding({c.s, s_front}, parabola, {Rational(1, 8)});

@@ -8,26 +8,27 @@ namespace {
 struct Bodies {
   std::string name;
   Solid half_space;
-  std::optional<Solid> indenter;  ///< absent: rigid
+  std::optional<Solid> indenter;  ///< if absent, rigid
   Plane plane = Plane::strain;
-  int reaction = -1;  ///< shear on the indenter over that on the half-space
+  int reaction = -1;  ///< shear on the indenter divided by that on the half-space
 
   Elasticity elasticity() const {
     return indenter ? Elasticity(half_space, *indenter, plane) : Elasticity(half_space, plane);
   }
 };
 
-/// Equal bodies; other ones with mu_2 (kappa_1 - 1) = mu_1 (kappa_2 - 1); the same in plane stress.
+/// Returns equal bodies; different bodies with mu_2 (kappa_1 - 1) = mu_1 (kappa_2 - 1); and equal bodies in plane
+/// stress.
 CaseList<Bodies> pairs(const Context& context) {
   const Solid steel(Rational(3, 10), 2);
-  // (1 - 2 nu)/mu equal: nu = 3/10, mu = 10/13 and nu = 2/5, mu = 5/13.
+  // (1 - 2 nu)/mu is equal: nu = 3/10, mu = 10/13 and nu = 2/5, mu = 5/13.
   return fixed_cases<Bodies>({{"equal bodies", steel, steel},
                               {"(1 - 2 nu)/mu equal", steel, Solid(Rational(2, 5), Rational(14, 13))},
                               {"equal bodies, plane stress", steel, steel, Plane::stress}},
                              2, "a smooth profile with free ends over a friction jump")(context);
 }
 
-/// The same half-spaces, the indenters replaced: change(bodies), or with the context behind it.
+/// Returns the cases with the same half-spaces and other indenters: change(bodies) or change(bodies, context).
 template <class Change>
 auto with_other_indenters(Change change) {
   return [change](const Context& context) {
@@ -40,7 +41,7 @@ auto with_other_indenters(Change change) {
 const Rational jump_place(1, 10);
 const std::vector<Rational> friction{Rational(1, 2), 10};
 
-/// (1) for one body: u_n' = direct H t_n - coupled t_t. [Bal16, (1)]
+/// Formula (1) for one body: u_n' = direct H t_n - coupled t_t. [Bal16, (1)]
 struct BodyConstants {
   Rational direct;
   Rational coupled;
@@ -50,8 +51,8 @@ BodyConstants constants_of(const Solid& body, Plane plane) {
   return {(kappa + 1) / (4 * body.shear_modulus()), (kappa - 1) / (4 * body.shear_modulus())};
 }
 
-/// The frictionless t_n on both bodies with t_t = -f t_n on one and its reaction on the other: by how much their surfaces,
-/// each with its own constants, miss the profile.
+/// Applies the frictionless t_n to both bodies, with t_t = -f t_n on one and its reaction on the other. Returns the
+/// error with which their surfaces, each with its own constants, fit the profile.
 template <Real R>
 double misfit(const Bodies& bodies, const RiemannHilbertSolution<R>& frictionless) {
   using std::abs, std::max;
@@ -75,13 +76,13 @@ double misfit(const Bodies& bodies, const RiemannHilbertSolution<R>& frictionles
       const R profile = compliance * form.problem().slope(form.slope_at(segments[k]), at.node.x);
       const R scale = max({R(abs(below)), R(abs(above)), R(abs(profile))});
       const auto error = static_cast<double>(abs(below + above - profile) / scale);
-      if (!(error <= worst)) worst = error;  // NaN as well
+      if (!(error <= worst)) worst = error;  // also true for NaN
     }
   }
   return worst;
 }
 
-/// The problem without friction, its traction put on both bodies with friction.
+/// Solves the problem without friction and applies its traction to both bodies with friction.
 template <Real R>
 Values measured(const Bodies& bodies) {
   const ContactProblem frictionless{bodies.elasticity(), FrictionProfile({0, 0}, {jump_place}),
@@ -102,7 +103,7 @@ Claim claim() {
       .wrong_beyond("a rigid indenter", with_other_indenters([](Bodies& bodies) { bodies.indenter.reset(); }))
       .wrong_beyond("both bodies dragged the same way",
                     with_other_indenters([](Bodies& bodies) { bodies.reaction = 1; }))
-      // The condition kappa_1 = kappa_2 in place of the right one.
+      // Wrong condition: kappa_1 = kappa_2.
       .wrong_beyond("Poisson's ratios equal, shear moduli not", with_other_indenters([](Bodies& bodies) {
                       bodies.indenter = Solid(bodies.half_space.poisson(), 7);
                     }))

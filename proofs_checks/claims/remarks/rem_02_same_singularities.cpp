@@ -1,5 +1,6 @@
-// Punches repeated with the period 2 pi: sum_k 1/(x'-x+2 pi k) = (1/2) cot((x'-x)/2). With friction pieces between
-// the places x_0 < ... < x_n (edges and jumps) and the powers p_j of the half-space, sum p_j = -1:
+// Punches repeated with the period 2 pi: sum_k 1/(x'-x+2 pi k) = (1/2) cot((x'-x)/2). Friction pieces lie between the
+// points x_0 < ... < x_n (edges and friction jumps). With the powers p_j of the half-space, sum p_j = -1, the traction
+// is
 //
 //   t = -(P/(2 pi)) cos(pi alpha) prod_j |sin((x-x_j)/2)|^{p_j} cos((x + sum_j p_j x_j)/2).
 
@@ -12,13 +13,13 @@ namespace {
 /// One punch of the row.
 struct Row {
   std::vector<Rational> places;
-  std::vector<Rational> s;  ///< between them
+  std::vector<Rational> s;  ///< values of s between the points
 };
 
 std::string text_of(const Row& row) { return std::to_string(row.s.size()) + " friction values"; }
 
 CaseList<Row> rows(const Context& context) {
-  // The cheapest first, for the controls.
+  // The cheapest case comes first, for the controls.
   return first_when_quick<Row>(context,
                                {{{Rational(-5, 2), Rational(5, 2)}, {Rational(2, 3)}},
                                 {{-1, Rational(1, 3), Rational(3, 2)}, {Rational(1, 4), 2}},
@@ -29,9 +30,9 @@ CaseList<Row> rows(const Context& context) {
 /// The traction for the load 1, and the kernel 1/w + smooth(w).
 struct RowTraction {
   std::vector<Exponent> powers;
-  Number moved = 0;                             ///< added to the first power by a near miss
-  bool periodic = true;                         ///< sines in place of distances
-  std::optional<Number> centre = std::nullopt;  ///< sum_j p_j x_j, if it is not this
+  Number moved = 0;                             ///< a near miss adds this to the first power
+  bool periodic = true;                         ///< use sines; if false, distances
+  std::optional<Number> centre = std::nullopt;  ///< a wrong value of sum_j p_j x_j, if present
   Number cotangent = 1;                         ///< factor of the kernel's smooth part
 };
 
@@ -41,7 +42,7 @@ std::vector<Exponent> half_space_powers(const Row& row, bool reversed = false) {
   return punch_powers(alpha);
 }
 
-/// The traction panel by panel.
+/// Returns the traction, panel by panel.
 template <Real R>
 PiecewiseDensity<R> density_of(const Row& row, const RowTraction& form) {
   std::vector<R> x;
@@ -72,7 +73,8 @@ PiecewiseDensity<R> density_of(const Row& row, const RowTraction& form) {
   return density;
 }
 
-/// (1/2) cot(w/2) - 1/w = ((w/2) cos(w/2) - sin(w/2))/(w sin(w/2)), the numerator by its series where it cancels.
+/// Returns (1/2) cot(w/2) - 1/w = ((w/2) cos(w/2) - sin(w/2))/(w sin(w/2)). The numerator uses its series where its
+/// terms cancel.
 template <Real R>
 R smooth_kernel(const R& w) {
   using std::abs, std::cos, std::sin;

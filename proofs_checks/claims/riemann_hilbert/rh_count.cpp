@@ -4,7 +4,7 @@
 namespace steadyslide::proofs_checks::rh_count {
 namespace {
 
-/// Of each component: is there an edge at its left end, at its right one? Else the end is free.
+/// The kinds of the ends of each component: true for an edge, false for a free end, left end first.
 struct Edges {
   std::vector<std::pair<bool, bool>> components;
   std::size_t number;
@@ -29,7 +29,7 @@ CaseList<Edges> every_choice(const Context& context) {
   return list;
 }
 
-/// Of the exponents, as exact angles, and of the solver's form.
+/// Returns the counts from the exponents, as exact angles, and from the solver's form.
 Values counted(const Edges& c) {
   const TrialForm<double> trial(with_ends(c.components));
   const TractionRepresentation<double>& form = trial.form();
@@ -48,7 +48,7 @@ Values counted(const Edges& c) {
           {"unknowns", Rational(free + coefficients)}};
 }
 
-/// Numbers of unknowns and conditions for n components.
+/// The numbers of unknowns and conditions for n components.
 struct Count {
   int degree_of_q = -1;  ///< plus -S
   int moments = 0;       ///< plus S

@@ -1,4 +1,4 @@
-// The Riemann-Hilbert form on any contact set satisfies the equation.
+// Checks that the Riemann-Hilbert form satisfies the equation on any contact set.
 
 #include <map>
 
@@ -9,16 +9,16 @@
 namespace steadyslide::proofs_checks::rh_form {
 namespace {
 
-/// t = eps cos(pi alpha) prod |x - e_j|^{p_j} B_k on every segment.
+/// The formula t = eps cos(pi alpha) prod |x - e_j|^{p_j} B_k on every segment.
 struct FormTerms {
-  std::shared_ptr<const TrialForm<double>> trial;  ///< for what the points and segments are
+  std::shared_ptr<const TrialForm<double>> trial;  ///< gives the points and segments
   std::vector<int> eps;
   std::vector<Number> cosine;
-  std::map<std::size_t, Exponent> powers;  ///< in place of Y's own
-  std::vector<std::size_t> slope;          ///< k
-  bool polynomial = true;                  ///< is [(g_k + tilt)/Y]_poly there?
-  int integral = 1;                        ///< the integral's sign
-  bool excess = true;                      ///< does A t miss what Y (m_0/z + ...) leaves at infinity?
+  std::map<std::size_t, Exponent> powers;  ///< replace the powers of Y
+  std::vector<std::size_t> slope;          ///< index k of the slope g_k
+  bool polynomial = true;                  ///< include [(g_k + tilt)/Y]_poly
+  int integral = 1;                        ///< sign of the integral
+  bool excess = true;                      ///< A t omits the part of Y (m_0/z + ...) that remains at infinity
 
   const TractionRepresentation<double>& form() const { return trial->form(); }
   bool is_contact(std::size_t k) const { return form().set().in_contact(k); }
@@ -36,7 +36,7 @@ FormTerms terms_of(const Trial& trial) {
   return terms;
 }
 
-/// [(g_k + tilt)/Y]_poly at x.
+/// Returns [(g_k + tilt)/Y]_poly at x.
 template <Real R>
 R polynomial_part(const TractionRepresentation<R>& form, std::size_t slope, const R& x) {
   std::vector<R> g = form.problem().slopes()[slope];
@@ -99,7 +99,7 @@ Claim claim() {
              [](FormTerms& terms) {
                std::size_t j = 0;
                while (!terms.is_end(j)) ++j;
-               // The power of the friction sliding the other way.
+               // The power for sliding in the opposite direction.
                const Exponent base(Rational(terms.form().set().point(j).vanishes ? 1 : -1, 2));
                terms.powers[j] = base + base - terms.form().exponent(j);
              })

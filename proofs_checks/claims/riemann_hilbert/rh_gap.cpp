@@ -1,4 +1,5 @@
-// The gap between the profile and the surface, from the Riemann-Hilbert form and from the logarithmic potential.
+// Compares the gap between the profile and the surface from the Riemann-Hilbert form with that from the logarithmic
+// potential.
 
 #include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
@@ -7,20 +8,20 @@
 namespace steadyslide::proofs_checks::rh_gap {
 namespace {
 
-/// gap = steps on the way + int Y B_k, from a contact end to a place.
+/// The formula gap = steps on the way + int Y B_k, from a contact end to a point.
 struct GapTerms {
   Number scale = 1;
-  int steps = 1;  ///< how often they are counted
+  int steps = 1;  ///< factor of the steps
   bool unsigned_y = false;
-  bool excess = true;  ///< the polynomial at infinity
+  bool excess = true;  ///< include the polynomial at infinity
 };
 
-/// One end of contact seen from a gap.
+/// A contact end at a gap.
 template <class R>
 struct Facing {
   const TractionRepresentation<R>& form;
   std::size_t end;
-  std::size_t panel;  ///< of the contact, next to the end
+  std::size_t panel;  ///< contact panel at this end
 
   bool rightwards() const { return !form.set().in_contact(end); }
   R distance(const R& xi) const { return xi - form.set().x(end); }
@@ -33,7 +34,7 @@ struct Facing {
     return rightwards() ? sum : R(-sum);
   }
 
-  /// Of the profile from the contact at the end to a place in the gap.
+  /// Returns the rise of the profile from the contact at this end to a point in the gap.
   R rise(const R& xi) const {
     const R origin = to_real<R>(Trial::frame().origin);
     const R unit = to_real<R>(Trial::frame().unit);
@@ -54,10 +55,10 @@ class GapCheck {
     if (terms.excess) excess_ = excess(form);
   }
 
-  /// Every gap, seen from both of its ends, at `places` places of each of its segments.
+  /// Checks every gap from both of its ends, at `places` points of each of its segments.
   void operator()(Random& random, int places) {
     const auto& set = form_.set();
-    std::size_t panel = 0;  // contact panels so far
+    std::size_t panel = 0;  // number of contact panels so far
     std::optional<Facing<R>> left;
     for (std::size_t k = 0; k < set.segments(); ++k) {
       if (set.in_contact(k)) {
@@ -75,8 +76,8 @@ class GapCheck {
   }
 
  private:
-  /// A place in a gap, seen from the contact ends that face it, and what they miss of each other: what the profile
-  /// misses there is the same for both.
+  /// Checks a point in a gap from both contact ends. The difference between the two results must agree with the closure
+  /// error of the gap.
   void gap(const std::optional<Facing<R>>& left, const std::optional<Facing<R>>& right, std::size_t segment,
            const R& fraction) {
     const SurfacePoint<R> at =
@@ -105,7 +106,7 @@ class GapCheck {
     R surface = 0;
   };
 
-  /// Of a place in a gap above the contact end.
+  /// Returns the heights of profile and surface at a point in a gap, relative to the contact end.
   Heights heights(const Facing<R>& from, const R& xi) const {
     using std::abs, std::pow;
     R surface = grid_.displacement(from.panel, from.rightwards() ? Side::right : Side::left, R(abs(from.distance(xi))));

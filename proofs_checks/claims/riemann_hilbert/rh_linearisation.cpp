@@ -1,4 +1,4 @@
-// What Newton's method for the contact's ends takes for the derivative of a solution, against differences.
+// Compares the derivatives of a solution that Newton's method uses for the contact ends with difference quotients.
 
 #include <array>
 
@@ -8,18 +8,19 @@
 namespace steadyslide::proofs_checks::rh_linearisation {
 namespace {
 
-/// d(u'/c)/de = Y (p B(e)/(x - e) - (p/pi) [q/(z - e)]_poly), q and the tilt fixed; in the contact
+/// The formulas: d(u'/c)/de = Y (p B(e)/(x - e) - (p/pi) [q/(z - e)]_poly) with q and the tilt fixed; in the contact
 /// dt = -eps cos(pi alpha) |Y| (...). d(u'/c)/dtilt = 1 - Y [1/Y]_poly.
 struct Derivatives {
-  enum class Power { own, missing, other_sign };  ///< of alpha
+  /// The power of the free end in the residue: its own, left out, or with alpha of the other sign.
+  enum class Power { own, missing, other_sign };
 
-  Number residue = 1;  ///< factors
+  Number residue = 1;  ///< factors of the terms
   Number polynomial = 1;
   Number tilt = 1;
-  Power power = Power::own;  ///< in the residue
+  Power power = Power::own;  ///< power in the residue
 };
 
-/// The bracket: a pole at the free end, and a polynomial.
+/// The bracket of the formula: a pole at the free end, and a polynomial.
 template <class R>
 struct Bracket {
   std::size_t end;
@@ -34,7 +35,7 @@ struct Bracket {
     const R& e = form.set().x(j);
     pole = R(said.residue) * in_residue *
            form.regular_factor_at(j, form.set().in_contact(j) ? Side::right : Side::left).value;
-    // [q/(z - e)]_poly: coefficient i is q_{i+1} + q_{i+2} e + ...
+    // Coefficient i of [q/(z - e)]_poly is q_{i+1} + q_{i+2} e + ...
     for (std::size_t i = 0; i + 1 < form.q().size(); ++i) {
       R sum = 0;
       for (std::size_t l = form.q().size(); l-- > i + 1;) sum = sum * e + form.q()[l];
@@ -43,7 +44,7 @@ struct Bracket {
   }
 };
 
-/// In the middle of every segment, and beyond both ends of the support.
+/// Returns the middle of every segment, and a point beyond each end of the support.
 template <Real R>
 std::vector<SurfacePoint<R>> places(const ContactSet<R>& set) {
   const R d = R(1) / 3;
@@ -61,13 +62,13 @@ bool is_inside(const TractionRepresentation<R>& form, const SurfacePoint<R>& at)
          form.set().in_contact(static_cast<std::size_t>(at.segment));
 }
 
-/// t in the contact, u'/c off it.
+/// Returns t in the contact, u'/c outside of it.
 template <Real R>
 R value(const TractionRepresentation<R>& form, const SurfacePoint<R>& at) {
   return is_inside(form, at) ? form.traction(at).value : form.surface_slope(at).value;
 }
 
-/// What Y (...) is for u' is -eps cos(pi alpha) |Y| (...) for t.
+/// Returns the factor of the bracket: Y for u', -eps cos(pi alpha) |Y| for t.
 template <Real R>
 R factor(const TractionRepresentation<R>& form, const SurfacePoint<R>& at) {
   const R y = form.sign(at.segment) * form.modulus(at);
@@ -75,7 +76,7 @@ R factor(const TractionRepresentation<R>& form, const SurfacePoint<R>& at) {
   return -y * form.problem().cos_alpha(form.friction_at(static_cast<std::size_t>(at.segment)));
 }
 
-/// Central differences of order ten: their error and rounding, eps/h, stay far below the tolerance.
+/// Returns central differences of order ten. Their error and rounding, eps/h, stay far below the tolerance.
 template <Real R>
 std::vector<R> differences(const TrialForm<R>& trial, std::size_t f, const std::vector<SurfacePoint<R>>& at) {
   const ContactSet<R>& set = trial.form().set();
@@ -109,7 +110,7 @@ void check_ends(Findings& findings, const Derivatives& said, const TrialForm<R>&
   const std::vector<SurfacePoint<R>> at = places(form.set());
   const std::vector<std::size_t> ends = form.set().movable();
   for (std::size_t f = 0; f < ends.size(); ++f) {
-    // The first and the last one: an end costs ten forms.
+    // Only the first and the last end, because each end costs ten forms.
     if (f > 0 && f + 1 < ends.size()) continue;
     const Bracket<R> bracket(form, ends[f], said);
     const std::vector<R> measured = differences(trial, f, at);
@@ -134,10 +135,10 @@ void check_tilt(Findings& findings, const Derivatives& said, const TrialForm<R>&
 }
 
 CaseList<Trial> all_trials(const Context& context) {
-  // In a full run as many as in double, though they are examined at 50 digits.
+  // A full run has the number of cases of a run in double, but examines them at 50 digits.
   CaseList<Trial> list = trials("rh-linearisation", {2, 2, 1}, true)(
       {context.quick ? context.digits : numeric::Digits::sixteen, context.seed, context.quick});
-  // q/(z - e) leaves a polynomial where q has two coefficients: three components with one free end.
+  // q/(z - e) has a polynomial part if q has two coefficients: three components with one free end.
   list.cases.insert(list.cases.begin() + 1, with_ends({{true, true}, {false, true}, {true, true}}));
   return list;
 }
@@ -149,7 +150,7 @@ Claim claim() {
   return formula_claim<Trial, Derivatives>("rh-linearisation")
       .cases(all_trials)
       .effective_where([](const Trial& trial) { return !TrialForm<double>(trial).form().set().movable().empty(); })
-      // Differences need digits to spare.
+      // Difference quotients lose digits.
       .precision(Precision::at_least_fifty)
       .checked([]<Real R>(Findings& findings, const Derivatives& said, const Trial& trial) {
         const TrialForm<R> tried(trial);

@@ -1,4 +1,4 @@
-// What the Riemann-Hilbert form says of the load.
+// Checks the load of the Riemann-Hilbert form.
 
 #include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/kit/claim_builder.hpp"
@@ -6,8 +6,9 @@
 namespace steadyslide::proofs_checks::rh_load {
 namespace {
 
-/// Over the size of int |t|: int t and int x t by quadrature, and by which the form's rule differs from it on a
-/// segment. They are compared with what infinity says, and with what the solver asks of its form.
+/// Returns int t and int x t by quadrature, and the largest difference between the form's rule and quadrature on a
+/// segment, all divided by the size of int |t|. They are compared with the values from infinity, and with those that
+/// the solver uses.
 template <Real R>
 Values by_quadrature(const Trial& trial) {
   using std::abs, std::max;
@@ -30,7 +31,7 @@ Values by_quadrature(const Trial& trial) {
   return values;
 }
 
-/// By the coefficients of u'/c at infinity; with those of Y's first term alone, the moment is another.
+/// Returns the values from the coefficients of u'/c at infinity. With only the first term of Y the moment is wrong.
 template <Real R>
 Values at_infinity(const Trial& trial, bool first_term_alone = false) {
   const TrialForm<R> tried(trial);

@@ -24,10 +24,10 @@ CaseList<Pair> pairs(const Context& context) {
   return random_cases(context, "eq-16-conjugate", 300, 30, "random forces on nodes", make);
 }
 
-/// phi^*(-t_hat), t_hat the q of the forces; nothing where it is infinite.
+/// The conjugate phi^*(-t_hat), where t_hat is the q of the forces; nothing if it is infinite.
 using Conjugate = std::function<std::optional<Rational>(const ContactForces&, const std::vector<Rational>& psi)>;
 
-/// -<<psi, t_hat>> times a factor on the set K, infinite elsewhere.
+/// Returns the conjugate that is -<<psi, t_hat>> times a factor on the set K, and infinite elsewhere.
 Conjugate pairing_on(bool (*contains)(const ContactForces&), const Rational& factor = 1) {
   return [=](const ContactForces& c, const std::vector<Rational>& psi) -> std::optional<Rational> {
     if (!contains(c)) return std::nullopt;
@@ -35,8 +35,8 @@ Conjugate pairing_on(bool (*contains)(const ContactForces&), const Rational& fac
   };
 }
 
-/// max of <<-t_hat, u_hat>> - phi(u_hat) over u_hat = psi + w, 0 <= w_i <= size: concave, and linear on every simplex
-/// of ordered w, whose corners are indicators.
+/// Returns the maximum of <<-t_hat, u_hat>> - phi(u_hat) over u_hat = psi + w, 0 <= w_i <= size. The function is
+/// concave, and linear on every simplex of ordered w, whose corners are indicators.
 Rational largest(const ContactForces& c, const std::vector<Rational>& psi, const Rational& size) {
   std::optional<Rational> most;
   for (unsigned bits = 0; bits < 1U << c.size(); ++bits) {
@@ -47,7 +47,8 @@ Rational largest(const ContactForces& c, const std::vector<Rational>& psi, const
   return *most;
 }
 
-/// sup <<-t_hat, u_hat>> - phi^*(-t_hat): linear in t_hat on the simplex K_0', largest at a corner.
+/// Returns sup <<-t_hat, u_hat>> - phi^*(-t_hat). It is linear in t_hat on the simplex K_0', so the maximum lies at a
+/// corner.
 std::optional<Rational> conjugate_of(const Conjugate& conjugate, const Pair& pair) {
   const auto& [number, c, psi] = pair;
   std::vector<Rational> u = c.v;
@@ -73,7 +74,7 @@ void check(Findings& findings, const Conjugate& conjugate, const Pair& pair) {
   if (told) {
     findings.decide("the supremum of `<<-t_hat, u_hat>> - phi(u_hat)` is `-<<psi, t_hat>>`", near == *told);
   } else {
-    // Already there for w = 0, and growing with the box.
+    // The value at w = 0; the rest grows with the box.
     const Rational base = -dot(c.q, psi);
     findings.decide("outside `K_0'` it grows with the size of `u_hat`", far - base == 1000 * (near - base));
   }

@@ -14,7 +14,7 @@ using std::numbers::pi;
 using Function = PiecewiseFunction;
 using Gauss = boost::math::quadrature::gauss<double, 20>;
 
-/// Functions u_hat - psi, and what is done with them.
+/// Functions u_hat - psi, and the parameters of the laws.
 struct Functions {
   std::size_t number;
   Rational s;
@@ -22,7 +22,7 @@ struct Functions {
   Function v;
   Function w;
   Function given;    ///< u_n - psi of another displacement
-  Rational between;  ///< a chord's parameter
+  Rational between;  ///< parameter of a chord
   Rational factor;
   Rational constant;
   Function cubic;
@@ -53,12 +53,12 @@ CaseList<Functions> functions(const Context& context) {
   return random_cases(context, "lemma-04-functional", 12, 2, "random `s` of both signs, polygons and cubics", make);
 }
 
-/// phi(psi + v) = size (reference - <t_0, paired>), t_0 of the friction s.
+/// The formula phi(psi + v) = size (reference - <t_0, paired>), with t_0 for the friction s.
 struct Functional {
   Number size;
   Rational s;
   Number (*reference)(const Function&) = supremum<Number>;
-  std::optional<Function> paired = std::nullopt;  ///< absent: v
+  std::optional<Function> paired = std::nullopt;  ///< if absent, v
   Number spike = 1;                               ///< phi(u_hat + w_L) -> phi(u_hat) + spike P
 
   template <Real R>
@@ -67,7 +67,7 @@ struct Functional {
   }
 };
 
-/// Convexity, homogeneity and the two lines of (13).
+/// Checks convexity, homogeneity and the two lines of (13).
 template <Real R>
 void check_functional(Findings& findings, const Functional& form, const Functions& c) {
   using std::abs, std::max;
@@ -94,17 +94,18 @@ void check_pairings(Findings& findings, const Functions& c, bool quick) {
   if (!quick) compare("panels", pairing<R>(c.s, c.v), pairing_by_tanh_sinh<R>(c.s, c.v));
 }
 
-// Spikes that are as high as 1 and as small as one likes in H^{1/2}:
+// Spikes of height 1 with an arbitrarily small norm in H^{1/2}:
 //
 //   w_L(x) = min(1, log(1/|2x|)/L) for |x| < 1/2, 0 elsewhere:  1 for |x| < e^-L/2.
 //
-// Their energy, half of the double integral of (w(x)-w(y))^2/(x-y)^2 over pi on the whole line, is that of the harmonic
-// extension, at most the extension min(1, log(1/|2z|)/L)'s, pi/L. Integrated by parts it is
+// Their energy is half of the double integral of (w(x)-w(y))^2/(x-y)^2 over the whole line, divided by pi. This is the
+// energy of the harmonic extension, at most that of the extension min(1, log(1/|2z|)/L), pi/L. Partial integration
+// gives
 //
 //   -(1/pi) int int w'(x) w'(y) log|x-y| = (4/(pi L^2)) int_0^L (L-r) log coth(r/2) dr
 //                                        = (4/(pi L^2)) (pi^2 L/4 - 7 zeta(3)/4 + 2 sum_{k odd} e^{-kL}/k^3).
 //
-// In double; distances only enter by their logarithms, so that any L will do.
+// In double. Distances enter only by their logarithms, so that L may have any size.
 
 double spike_energy(double l) {
   double tail = 0;
@@ -114,7 +115,7 @@ double spike_energy(double l) {
 }
 
 double spike_energy_by_quadrature(double l) {
-  const double length = std::min(l, 40.0);  // e^-40 is left out
+  const double length = std::min(l, 40.0);  // the rest is of the order of e^-40
   const auto integrand = [l](const Node<double>& node) {
     const double r = node.from_left;
     return (l - r) * (std::log1p(std::exp(-r)) - std::log(-std::expm1(-r)));
@@ -123,13 +124,13 @@ double spike_energy_by_quadrature(double l) {
   return 4 / (pi * l * l) * tanh_sinh::panel_integral<double>({{0, length, length}, none, none, integrand}).value;
 }
 
-/// int t_0 w_L, t_0 of the friction s.
+/// Returns int t_0 w_L, with t_0 for the friction s.
 double spike_weight(const Rational& s, double l) {
   const auto alpha = to_real<double>(Exponent::angle(s));
   const auto unit = [alpha](double x) {
     return std::cos(pi * alpha) / pi * std::pow(1 + x, -0.5 - alpha) * std::pow(1 - x, -0.5 + alpha);
   };
-  // (1/L) int_0^L (mass of t_0 on |x| < e^-r/2) dr.
+  // The integral is (1/L) int_0^L (mass of t_0 on |x| < e^-r/2) dr.
   const auto mass = [&](double r) {
     const double radius = std::exp(-r) / 2;
     return Gauss::integrate(unit, -radius, radius);
@@ -140,7 +141,8 @@ double spike_weight(const Rational& s, double l) {
   return sum / l;
 }
 
-/// psi + v + w_L: v a hat with its top under the spike, so that the spike is felt in full.
+/// Checks psi + v + w_L. v is a hat with its top under the spike, so that the spike raises the maximum by its whole
+/// height.
 void check_spikes(Findings& findings, const Functional& form, const Rational& s, double load) {
   findings.begin_case("spikes, s = " + to_string(s));
   const Function hat{{-1, 0, 1}, {Polynomial({Rational(1, 3), Rational(1, 2)}), Polynomial({Rational(1, 3), -1})}};

@@ -10,13 +10,13 @@ namespace {
 
 using Function = PiecewiseFunction;
 
-/// Forces and gaps on nodes, built to satisfy (11) or to miss it.
+/// Forces and gaps on nodes that satisfy (11) or violate it by construction.
 struct Pair {
   ContactForces forces;
-  std::optional<bool> is_solution;  ///< absent: anything
+  std::optional<bool> is_solution;  ///< if absent, not known
 };
 
-/// v = u_n - psi with both signs, and t_n = -weight t_0 of the load.
+/// A function v = u_n - psi with both signs, and the traction t_n = -weight t_0 with the given load.
 struct Steps {
   Rational s;
   Rational load;
@@ -40,7 +40,7 @@ CaseList<Case> cases(const Context& context) {
     for (Polynomial& piece : v.pieces) piece = piece + Polynomial({0, k % 2 == 0 ? 2 : -2});
     list.cases.push_back({"s = " + to_string(s), Steps{s, load, v, Polynomial({2, of_steps.between(-1, 1)})}});
   }
-  // What is wrong may be as small as one likes: everything here is exact.
+  // The violation may be arbitrarily small, because everything here is exact.
   const double smallest = numeric::at_precision(context.digits, []<Real R>() { return tolerance<R>(); });
   const std::vector<Rational> steps{1, Rational(1, 1000), Rational(smallest)};
   Random random(context.seed, "prop-05-equivalence");
@@ -52,11 +52,11 @@ CaseList<Case> cases(const Context& context) {
   return list;
 }
 
-/// The proposition, and two signs of its proof.
+/// The proposition, and two signs in its proof.
 struct Equivalence {
   Conditions conditions;
-  int test_function = -1;  ///< of (1/meas S) int P t_0
-  int constant = 1;        ///< of C in (14)
+  int test_function = -1;  ///< sign of (1/meas S) int P t_0
+  int constant = 1;        ///< sign of C in (14)
 };
 
 void check_equivalence(Findings& findings, const Conditions& conditions, const Pair& pair) {
@@ -70,7 +70,7 @@ void check_equivalence(Findings& findings, const Conditions& conditions, const P
   findings.decide("(11) <=> (ii) by directions", truth == holds_ii_by_subsets(c, conditions));
 }
 
-/// v where it is positive, 0 elsewhere, and the indicator of that set S: the panels are cut at the zeros.
+/// The positive part of v, and the indicator of the set S with v > 0. The panels are divided at the zeros.
 struct PositivePart {
   Function values;
   Function set;
@@ -100,7 +100,7 @@ PositivePart positive_part(const Function& polygon) {
   return result;
 }
 
-/// Of linear pieces.
+/// Returns the integral of a function that is linear on each piece.
 Rational integral(const Function& f) {
   Rational sum = 0;
   for (std::size_t k = 0; k < f.pieces.size(); ++k) {
@@ -110,7 +110,7 @@ Rational integral(const Function& f) {
   return sum;
 }
 
-/// The steps of (i) => (11): the constant C, and the traction t_hat that shows that S has no measure.
+/// Checks the steps of (i) => (11): the constant C, and the traction t_hat that shows that S has measure zero.
 template <Real R>
 void check_steps(Findings& findings, const Equivalence& said, const Steps& steps) {
   using std::abs;
@@ -119,7 +119,7 @@ void check_steps(Findings& findings, const Equivalence& said, const Steps& steps
   const Function weight{{-1, 1}, {steps.weight}};
   Function product = steps.v;
   for (Polynomial& piece : product.pieces) piece = piece * steps.weight;
-  // t_n by its integral from the moments, its load by quadrature.
+  // The integral of t_n comes from the moments, its load from quadrature.
   const R scale = -p / pairing_by_moments<R>(steps.s, steps.weight);
   const R paired = scale * paired_with(product);
   const R c = said.constant * paired / p;

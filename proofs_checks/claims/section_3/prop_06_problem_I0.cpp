@@ -9,7 +9,7 @@
 namespace steadyslide::proofs_checks::prop_06_problem_I0 {
 namespace {
 
-/// A problem on cells, contact sets to start from, and forces of any sum to put into the inequality.
+/// A problem on cells, contact sets to start from, and forces with any sum to test the inequality.
 struct OnCells {
   ProblemOnCells on_cells;
   std::vector<CellSet> starts;
@@ -48,14 +48,14 @@ CaseList<Case> cases(const Context& context) {
   return list;
 }
 
-/// What the proposition says: of a problem on cells that it has the one solution that interior points find, of one of
-/// dual_cases() that cells tend to the Riemann-Hilbert solution of its problem.
+/// The statement of the proposition. A problem on cells has one solution, and interior points find it. For a problem of
+/// dual_cases() the solutions on cells converge to the Riemann-Hilbert solution.
 struct OneSolution {
   std::optional<OnCells> unique = std::nullopt;
   std::optional<ContactProblem> interior = std::nullopt;
-  double forces = 1;   ///< factor of those by interior points
-  double support = 0;  ///< b is positive with a mean, too, on a support of this length
-  int friction = 1;    ///< its sign, in the Riemann-Hilbert solution
+  double forces = 1;   ///< factor of the forces by interior points
+  double support = 0;  ///< if positive, b must also be positive with a mean on a support of this length
+  int friction = 1;    ///< sign of the friction in the Riemann-Hilbert solution
   double rate = 0;
 };
 
@@ -64,19 +64,19 @@ OneSolution one_solution(const Case& c) {
   return {.rate = std::get<DualCase>(c.data).cells_rate};
 }
 
-/// b(t, t) on zero-mean tractions: friction adds nothing and the logarithm's part is positive.
+/// Checks b(t, t) on tractions of zero mean: friction adds nothing, and the logarithmic part is positive.
 void check_form(Findings& findings, const DiscreteProblem& problem, double support) {
   const Eigen::MatrixXd without = symmetric_part(problem.mesh(), problem.galerkin_operator(), false);
   const Eigen::MatrixXd form = on_zero_mean(symmetric_part(problem.mesh(), problem.galerkin_operator(), true));
   const Eigen::MatrixXd plain = on_zero_mean(without);
   findings.compare("friction", (form - plain).norm() / plain.norm());
-  // A support of another length than 1 takes its logarithm over pi off each entry.
+  // For a support of another length than 1, the logarithm of the length over pi is subtracted from each entry.
   const Eigen::MatrixXd asked =
       support > 0 ? Eigen::MatrixXd(without.array() - std::log(support) / std::numbers::pi) : form;
   findings.require(eigenvalues(asked).minCoeff() > 0, "b(t, t) is not positive");
 }
 
-/// sum g_i (p_hat_i - p_i) h_i >= 0 for random pressures p_hat >= 0 of the same load.
+/// Checks sum g_i (p_hat_i - p_i) h_i >= 0 for random pressures p_hat >= 0 with the same load.
 void check_inequality(Findings& findings, const OnCells& c, const DiscreteProblem& problem,
                       const DiscreteState& state) {
   const std::vector<double> g = gaps(problem, state);

@@ -9,7 +9,7 @@ using State = DisplacementProblem::State;
 
 constexpr double allowed = 1e-10;
 
-/// A problem on n polynomials, contact sets to start from, and displacements to put into the inequality, less u.
+/// A problem on n polynomials, contact sets to start from, and displacements, minus u, to test the inequality.
 struct Case {
   DualCase dual;
   int n;
@@ -41,14 +41,14 @@ CaseList<Case> cases(const Context& context) {
                       "random `s` of both signs, profiles and loads, 8 to 40 nodes, three random sets each", make);
 }
 
-/// Problem I, to be solved by interior points, and its inequality.
+/// The variant of problem I that interior points solve, and its inequality.
 struct ProblemI {
   DisplacementFormula problem = {};
-  double forces = 1;      ///< factor of the solution's
+  double forces = 1;      ///< factor of the solution's forces
   double functional = 1;  ///< factor of phi in the inequality
 };
 
-/// a(v - u, u) + phi(v) - phi(u) for v = u + direction, and for v the other solution.
+/// Checks a(v - u, u) + phi(v) - phi(u) >= 0 for v = u + direction, and for the other solution as v.
 void check_inequality(Findings& findings, const DisplacementProblem& problem, const State& other, const State& state,
                       const ProblemI& form, const Case& c) {
   const double scale = std::max(1.0, state.gap.maxCoeff());

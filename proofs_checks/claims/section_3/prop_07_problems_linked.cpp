@@ -7,7 +7,7 @@
 namespace steadyslide::proofs_checks::prop_07_problems_linked {
 namespace {
 
-/// u_n = psi is a polynomial.
+/// A polynomial displacement u_n = psi.
 struct FullContact {
   Rational s;
   Polynomial profile;
@@ -31,16 +31,16 @@ CaseList<Case> cases(const Context& context) {
   return list;
 }
 
-/// The two problems.
+/// The two problems, or a wrong variant of their relation.
 struct Link {
   DisplacementFormula displacement = {};
-  int cells_friction = 1;  ///< its sign, in problem I0
-  Number load = 1;         ///< factor, in problem I
+  int cells_friction = 1;  ///< sign of the friction in problem I0
+  Number load = 1;         ///< factor of the load in problem I
 
   bool has_right_displacement() const { return displacement == DisplacementFormula(); }
 };
 
-/// Forces of problem I at its nodes against the Riemann-Hilbert traction.
+/// Compares the forces of problem I at its nodes with the Riemann-Hilbert traction.
 template <Real R>
 void check_full_contact(Findings& findings, const Link& link, const FullContact& c) {
   using std::pow;
@@ -84,7 +84,7 @@ void check_convergence(Findings& findings, KnownMoments& known, const Link& link
                       "difference " + short_text(levels.back().error) + " at the last level"});
   };
   const auto exact = [&](int) -> const Moments& { return known.exact(c); };
-  // Four cells to a node: neither error is the other's.
+  // Four cells for each node, so that the errors of the two methods are unrelated.
   const auto cells = [&](int n) -> const Moments& { return known.cells(c, 4 * n, link.cells_friction); };
   measure("`L(u_n)` of problem I to the Riemann-Hilbert solution", levels_of(first, meshes, load, polynomials, exact),
           2);
@@ -97,7 +97,7 @@ void check_convergence(Findings& findings, KnownMoments& known, const Link& link
 Claim claim() {
   return formula_claim<Case, Link>("prop-07-problems-linked")
       .cases(cases)
-      // Principal values at 50 digits take a tenth of a second.
+      // A principal value at 50 digits takes a tenth of a second.
       .precision(Precision::quick_in_double)
       .checked([known = std::make_shared<KnownMoments>()]<Real R>(Findings& findings, const Link& link, const Case& c,
                                                                   const Context& context) {

@@ -17,7 +17,7 @@ struct Coercive {
 
 std::string text_of(const Coercive& c) { return "s = " + to_string(c.s); }
 
-/// `falling`: the friction on cells falls to zero at 1/7.
+/// Returns the cases. With `falling` the friction on cells falls to zero at 1/7.
 CaseList<Coercive> cases(const Context& context, bool falling) {
   const CaseList<FrictionValue> frictions = frictions_of_both_signs(context, "sec-31-coercive");
   Random random(context.seed, "sec-31-coercive-cells");
@@ -25,14 +25,14 @@ CaseList<Coercive> cases(const Context& context, bool falling) {
   for (const auto& [s] : frictions.cases) {
     std::vector<Rational> c{0};
     for (int k = 1; k <= 4; ++k) c.push_back(random.between(-2, 2));
-    // Friction of one sign.
+    // All values have the same sign.
     const CellFrictionSteps steps{{s, falling ? Rational(0) : s}, {Rational(1, 7)}};
     list.cases.push_back({s, c, steps, random_cells(random, cell_problem(steps), Cells::unequal, 24)});
   }
   return list;
 }
 
-/// b(t, t)
+/// Returns b(t, t).
 template <Real R>
 R energy(const Coercive& at) {
   std::vector<R> c;
@@ -41,7 +41,7 @@ R energy(const Coercive& at) {
          to_real<R>(at.s) / 2 * value_of(sign_form_by_quadrature<R>(), c, c);
 }
 
-/// Eigenvalues and norm of b on zero mean, where b without friction is the scalar product.
+/// Returns eigenvalues and norm of b on zero mean. The scalar product is b without friction.
 Values on_cells(const Coercive& c) {
   const auto b = operator_of(c.steps, c.mesh);
   const Eigen::MatrixXd logarithm = on_zero_mean(symmetric_part(c.mesh, b, false));

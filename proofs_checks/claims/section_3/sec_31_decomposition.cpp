@@ -6,17 +6,17 @@
 namespace steadyslide::proofs_checks::sec_31_decomposition {
 namespace {
 
-/// t_0 = factor (1+x)^left (1-x)^right, and b(t_0, t) = constant <<t, 1>>, b under the friction s.
+/// The formulas t_0 = factor (1+x)^left (1-x)^right and b(t_0, t) = constant <<t, 1>>, where b has the friction s.
 struct UnitSolution {
   Exponent left;
   Exponent right;
   Number factor;
   Rational s;
   Number constant;
-  Number moved = 0;  ///< added to the left power by a near miss
+  Number moved = 0;  ///< a near miss adds this to the left power
 };
 
-/// -(log 2 + C + (psi(1/2+alpha) + psi(1/2-alpha))/2)/pi, C Euler's constant, psi the digamma function.
+/// Returns -(log 2 + C + (psi(1/2+alpha) + psi(1/2-alpha))/2)/pi with Euler's constant C and the digamma function psi.
 Number punch_constant(const Rational& s) {
   const Number plus = to_real<Number>(half + Exponent::angle(s));
   const Number minus = to_real<Number>(half - Exponent::angle(s));

@@ -21,7 +21,7 @@ CaseList<PolynomialSlope> slopes(const Context& context) {
                       });
 }
 
-/// int u T_k/sqrt(1-x^2) dx, k >= 1, in the angle: there the midpoint rule is exact.
+/// Returns int u T_k/sqrt(1-x^2) dx, k >= 1, as an integral over the angle, for which the midpoint rule is exact.
 template <Real R>
 R pairing(const Polynomial& slope, int k) {
   using std::cos;
@@ -56,7 +56,7 @@ void check_inverse(Findings& findings, const InverseFormula& formula, const Poly
   for (int k = 1; k <= 4; ++k) {
     findings.compare("weak", R(abs(form_with_chebyshev(t, s, k) - pairing<R>(c.slope, k)) / size));
   }
-  // A L(u) = u' and int L(u) = 0.
+  // Checks A L(u) = u' and int L(u) = 0.
   const Surface<R> surface{{traction}, {s}, [&c](const R& x) { return value_of(c.slope, x); }, R(0), size};
   check_surface(findings, surface, quick ? 0 : 2);
 }

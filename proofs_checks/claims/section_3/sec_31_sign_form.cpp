@@ -14,17 +14,17 @@ namespace {
 
 using std::numbers::pi;
 
-/// T_j/sqrt(1-x^2) and T_k/sqrt(1-x^2).
+/// The tractions T_j/sqrt(1-x^2) and T_k/sqrt(1-x^2).
 struct Chebyshev {
   int j;
   int k;
 };
-/// sgn; or 2 int_{-1}^x s in its place, s = -1 left of 0 and 1 right of it.
+/// The kernel sgn, or with `jump` 2 int_{-1}^x s in its place, with s = -1 left of 0 and 1 right of it.
 struct OnCells {
   CellMesh mesh;
   bool jump;
 };
-/// Of T(0)^2 for an energy of 1: what a jump of friction adds is a multiple of it.
+/// The growth of T(0)^2 for an energy of 1. A friction jump adds a multiple of T(0)^2.
 struct Growth {
   std::size_t most_cells;
 };
@@ -54,12 +54,12 @@ CaseList<Case> cases(const Context& context, bool jump) {
   return list;
 }
 
-/// sup <<.., t_2>>/(|t_1| |t_2|) of a form of forces.
+/// Returns sup <<.., t_2>>/(|t_1| |t_2|) for a form of forces.
 double norm_of(const Eigen::MatrixXd& form, const Eigen::MatrixXd& logarithm) {
   return spectral_norm(in_metric(form, logarithm));
 }
 
-/// <<t_1 * sgn, t_2>> on forces, t_1 by columns; the jump where two cells meet.
+/// Returns <<t_1 * sgn, t_2>> as a form of forces, with t_1 along the columns. The jump lies between two cells.
 Eigen::MatrixXd sign_on_cells(const OnCells& c) {
   return matrix_of(c.mesh.size(), c.mesh.size(), [&c](std::size_t i, std::size_t j) -> double {
     const int s = c.mesh.centre(j) < 0 ? -1 : 1;
@@ -67,7 +67,7 @@ Eigen::MatrixXd sign_on_cells(const OnCells& c) {
   });
 }
 
-/// -<<t * log|x|, t>> on forces, the support [-1, 1].
+/// Returns -<<t * log|x|, t>> as a form of forces on the support [-1, 1].
 Eigen::MatrixXd logarithm_on_cells(const CellMesh& mesh) {
   const Eigen::MatrixXd form = pi * symmetric_part(mesh, operator_of({{0, 0}, {0}}, mesh), false);
   return form - Eigen::MatrixXd::Constant(form.rows(), form.cols(), std::numbers::ln2);

@@ -15,7 +15,7 @@ using numeric::Power;
 struct Bounds {
   int n;
 };
-/// Displacements with coefficients in Jacobi's polynomials.
+/// Displacements given by coefficients in Jacobi's polynomials.
 struct Pair {
   std::vector<Rational> u;
   std::vector<Rational> v;
@@ -44,11 +44,11 @@ CaseList<Case> cases(const Context& context) {
   return list;
 }
 
-/// a by (10), b under slip s, and the bounds of a in a_0.
+/// The form a by (10), b with slip s, and the bounds of a relative to a_0.
 struct FormA {
   InverseVariant inverse;
   int slip = 1;
-  Number lower;  ///< least a(u,u)/a_0(u,u)
+  Number lower;  ///< smallest a(u,u)/a_0(u,u)
   Number upper;  ///< largest |a(v,u)|/(a_0(v,v) a_0(u,u))^{1/2}
   Number scale = 1;
 };
@@ -58,16 +58,16 @@ FormA form_a(const Case& c) {
   return {.inverse = {}, .lower = cosine * cosine, .upper = 1};
 }
 
-// Displacements whose tractions are known: with p = 1/2+alpha, q = 1/2-alpha and W = (1+x)^p (1-x)^q
+// Displacements with known tractions. With p = 1/2+alpha, q = 1/2-alpha and W = (1+x)^p (1-x)^q
 //
 //   u = (2/n) P_n^{(-p,-q)}   ->   L(u) = 2 cos(pi alpha) P_n^{(-q,-p)}/W,   n >= 1,
 //
-// (P_n^{(a,b)}: the power a at x = 1, b at x = -1). For u' = P_{n-1}^{(q,p)} [DLMF, 18.9.15]; and by Plemelj's formulas
-// cos(pi alpha) A(P_n^{(-q,-p)}/W) is the polynomial part at infinity of P_n^{(-q,-p)} (z+1)^{-p} (z-1)^{-q}, which has
-// the degree n - 1, the leading coefficient of P_n^{(-q,-p)}, half of P_{n-1}^{(q,p)}'s, and is orthogonal to lower
-// degrees under W: P_{n-1}^{(q,p)}/2.
+// (P_n^{(a,b)}: the power a belongs to x = 1, b to x = -1). Reason: u' = P_{n-1}^{(q,p)} [DLMF, 18.9.15]. By Plemelj's
+// formulas, cos(pi alpha) A(P_n^{(-q,-p)}/W) is the polynomial part at infinity of P_n^{(-q,-p)} (z+1)^{-p} (z-1)^{-q}.
+// This part has the degree n - 1. Its leading coefficient is that of P_n^{(-q,-p)}, half of that of P_{n-1}^{(q,p)}. It
+// is orthogonal to lower degrees under W. Therefore it is P_{n-1}^{(q,p)}/2.
 
-/// sum_n c_n u_n and W L of it, n = 1, ..., c.size().
+/// A displacement sum_n c_n u_n, n = 1, ..., c.size(), and W times its traction L.
 template <class R>
 struct JacobiPair {
   Rational s;
@@ -88,7 +88,8 @@ struct JacobiPair {
   }
 };
 
-/// -(1/pi) t * log|x| + (slip/2) t * sgn at a node, t = polynomial/W, on the panels before and behind it.
+/// Returns -(1/pi) t * log|x| + (slip/2) t * sgn at a node, t = polynomial/W, integrated on the panels before and
+/// behind it.
 template <Real R>
 R potential(const JacobiPair<R>& t, const Node<R>& at, const R& slip) {
   const Exponent angle = Exponent::angle(t.s);
@@ -116,7 +117,7 @@ JacobiPair<R> jacobi_pair(const Rational& s, const std::vector<Rational>& coeffi
   return pair;
 }
 
-/// a(v, u) by (10) against b(L v, L u), L from Jacobi's polynomials.
+/// Compares a(v, u) by (10) with b(L v, L u), where L comes from Jacobi's polynomials.
 template <Real R>
 void check_pair(Findings& findings, const FormA& form, const Rational& s, const Pair& pair) {
   using std::abs, std::max;
@@ -140,14 +141,14 @@ void check_pair(Findings& findings, const FormA& form, const Rational& s, const 
     size = max(size, R(abs(image[i])));
   }
   findings.compare("inverse", static_cast<double>(error / size));
-  // b(L(v), L(u)) = <U, L(u)>, U the displacement under L(v), a polynomial: Gauss's rule is exact.
+  // b(L(v), L(u)) = <U, L(u)>, where U is the displacement under L(v). U is a polynomial, so Gauss's rule is exact.
   const R slip = form.slip * to_real<R>(s);
   R by_potential = 0;
   for (std::size_t i = 0; i < a.size(); ++i) by_potential += image[i] * potential(v, a.node(i), slip);
   findings.compare<R>("forms", R(form.scale) * a.form(v_at, u_at), by_potential);
 }
 
-/// a in Chebyshev's polynomials T_1, ..., T_{n-1}, each divided by the root of a_0(T_k, T_k) = pi k/2.
+/// Returns a in Chebyshev's polynomials T_1, ..., T_{n-1}, each divided by the square root of a_0(T_k, T_k) = pi k/2.
 Eigen::MatrixXd scaled_form(const Rational& s, int n, const InverseVariant& variant) {
   const DisplacementOperator<double> a(s, n, variant);
   const std::size_t size = a.size();

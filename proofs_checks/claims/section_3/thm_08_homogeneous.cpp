@@ -21,7 +21,8 @@ std::string text_of(const Homogeneous& c) {
   return "s = " + to_string(c.s) + ", psi = " + to_string(c.profile) + ", P = " + to_string(c.load);
 }
 
-/// Parabolas with free ends and flat punches, which have closed forms, then edges at the rear and at the front.
+/// Returns parabolas with free ends and flat punches, which have closed forms, and profiles with an edge at the rear or
+/// at the front.
 CaseList<Homogeneous> cases(const Context& context) {
   const auto make = [](Random& random, std::size_t k) {
     const Rational s = random.between(Rational(1, 5), 1) * ((k % 4 < 2) == (k < 4) ? 1 : -1);
@@ -38,7 +39,8 @@ CaseList<Homogeneous> cases(const Context& context) {
                       "random `s` of both signs, profiles and loads", make);
 }
 
-/// What has the same solution: the problem for the closed forms, and one with psi + C, the gap larger by `opened`.
+/// Problems with the same solution: the problem for the closed form, and the problem with psi + C, in which the gap is
+/// larger by `opened`.
 struct SameSolution {
   Homogeneous closed;
   Homogeneous raised;
@@ -51,7 +53,7 @@ SameSolution same_solution(const Homogeneous& c) {
   return {c, {c.s, c.profile + Polynomial::constant(constant), c.load}};
 }
 
-/// Ends, traction and gap at some places.
+/// Compares ends, and traction and gap at some points.
 template <Real R>
 void compare(Findings& findings, const char* quantity, const ContactSolution<R>& a, const ContactSolution<R>& b,
              const R& load, const R& opened = 0) {
@@ -74,7 +76,7 @@ void compare(Findings& findings, const char* quantity, const ContactSolution<R>&
 
 template <Real R>
 void check(Findings& findings, const SameSolution& same, const Homogeneous& c) {
-  // Residuals come from rules that lose a digit or two.
+  // The rules for residuals lose one or two digits.
   const R load = to_real<R>(c.load);
   const auto solution = solve<R>(c.problem());
   const auto closed = numeric::closed_form<R>(same.closed.problem());
@@ -85,7 +87,7 @@ void check(Findings& findings, const SameSolution& same, const Homogeneous& c) {
   }
   const auto raised = solve<R>(same.raised.problem());
   compare<R>(findings, "shifted", *solution, *raised, load, to_real<R>(same.opened));
-  // Last, since they take longer than solutions.
+  // Residuals come last, because they take longer than solutions.
   const numeric::Residuals<R> left = solution->residuals();
   for (const R& value : {equation_error(solution->form()), left.load, left.penetration, left.tension}) {
     findings.compare("residual", static_cast<double>(value));

@@ -24,7 +24,7 @@ CaseList<Started> rising(const Context& context) {
                       });
 }
 
-/// That active sets and interior points find the same forces.
+/// The claim: active sets and interior points find the same forces.
 struct SameForces {
   int load = 1;  ///< factor of the load for interior points
   Number forces = 1;
@@ -35,7 +35,8 @@ void check(Findings& findings, const SameForces& said, const Started& c) {
   const DiscreteProblem discrete(problem, mesh);
   const std::vector<DiscreteState> found = solutions_from(discrete, c.starts);
   auto other = forces_by_interior_points({problem.with_load(said.load * problem.load()), mesh});
-  // Fewer than two starts that lead to a solution say nothing of uniqueness: the case counts as one without effect.
+  // If fewer than two starts lead to a solution, this shows nothing about uniqueness: the case counts as one without
+  // effect.
   if (found.size() < 2 || !other) findings.skip("forces");
   if (!other) return;
   *other *= static_cast<double>(said.forces);

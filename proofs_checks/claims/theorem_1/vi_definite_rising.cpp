@@ -15,7 +15,7 @@ std::string text_of(const JumpsOnCells& c) {
   return text_of(c.steps) + ", " + std::to_string(c.mesh.size()) + " cells";
 }
 
-/// By turns one jump up or down, and one to four jumps of this trend.
+/// Returns in turn one jump down or up, and one to four jumps with this trend.
 auto jumps(Trend several) {
   const auto make = [several](Random& random, std::size_t k) {
     constexpr std::array<Cells, 3> kinds{Cells::equal, Cells::unequal, Cells::graded};
@@ -31,7 +31,7 @@ auto jumps(Trend several) {
   };
 }
 
-/// The smallest eigenvalue of (symmetric part) - lambda (logarithm) on zero mean.
+/// Returns the smallest eigenvalue lambda of (symmetric part) - lambda (logarithm) on zero mean.
 Values measured(const JumpsOnCells& c) {
   const auto b = operator_of(c.steps, c.mesh);
   const double least =
@@ -40,7 +40,7 @@ Values measured(const JumpsOnCells& c) {
   return {{"several", std::max(1 - least, 0.0)}};
 }
 
-/// min(1, 1 + factor (s+ - s-) sup T(c)^2/E), E the logarithm's energy.
+/// Returns min(1, 1 + factor (s+ - s-) sup T(c)^2/E), where E is the energy of the logarithm.
 Values predicted(const JumpsOnCells& c, double factor, bool zero_mean = true) {
   if (c.steps.jumps.size() > 1) return {{"several", 0.0}};
   const Eigen::MatrixXd logarithm = symmetric_part(c.mesh, operator_of(c.steps, c.mesh), false);

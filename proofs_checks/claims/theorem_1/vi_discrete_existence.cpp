@@ -10,16 +10,17 @@
 namespace steadyslide::proofs_checks::vi_discrete_existence {
 namespace {
 
-/// Where short cells meet strong friction the paths turn back again and again: of 1800 random problems 30 take more
-/// than 100 n pivots, the longest 168 000 with 30 cells. A path that is not followed to its end says nothing.
+/// Returns the limit for pivots. With short cells and strong friction the paths change direction very often: of 1800
+/// random problems 30 take more than 100 n pivots, and the longest takes 168 000 with 30 cells. A path that is not
+/// followed to its end shows nothing.
 int most_pivots(const DiscreteProblem& problem) { return 2000 * static_cast<int>(problem.size()); }
 
-/// The operator's entries, and what the certificate is shown.
+/// Changes of the operator's entries, and of the pressures that the certificate receives.
 struct Variant {
   int logarithm = 1;
-  bool from_left = false;  ///< int s p from the left end whatever the sign of s
-  double unit = 1;         ///< of lengths, over the support's
-  double moved = 0;        ///< the pressures, in units of what the certificate allows
+  bool from_left = false;  ///< int s p from the left end for both signs of s
+  double unit = 1;         ///< unit of length, divided by the support's length
+  double moved = 0;        ///< change of the pressures, in units of the certificate's tolerance
 };
 
 struct Numbered {
@@ -31,7 +32,7 @@ CaseList<Numbered> problems(const Context& context) {
   return random_cases(context, "vi-discrete-existence", 300, 12,
                       "random meshes, frictions up to `s = 20`, profiles and loads, one in four tilting",
                       [](Random& random, std::size_t k) {
-                        // Weak and strong friction: the largest s is 1/5 to 20.
+                        // Weak and strong friction: the largest s is between 1/5 and 20.
                         const Rational largest = k % 2 == 0 ? random.between(Rational(1, 5), 2) : random.between(2, 20);
                         ProblemOnCells on_cells = random_problem_on_cells(random, k, Trend::any, largest, true);
                         return Numbered{"problem " + std::to_string(k) + ": " + text_of(on_cells), on_cells};

@@ -10,30 +10,31 @@
 namespace steadyslide::proofs_checks::vi_energy_identity {
 namespace {
 
-/// factor_log sum_{i<j} J_i J_j r^2 log r + factor_jump sum_k (s_k - s_{k-1}) T(c_k)^2; J_i the jumps of t at the
-/// cells' ends, r their distance.
+/// The formula factor_log sum_{i<j} J_i J_j r^2 log r + factor_jump sum_k (s_k - s_{k-1}) T(c_k)^2. J_i are the jumps
+/// of t at the ends of cells, r their distances.
 struct EnergyFormula {
   Real50 factor_log = 1 / numeric::pi<Real50>();
   Real50 factor_jump = Real50(1) / 2;
-  enum class At { jump, cell_end } at = At::jump;  ///< where T is taken
-  bool modulus = false;                            ///< of s_k - s_{k-1}
+  enum class At { jump, cell_end } at = At::jump;  ///< the point at which T is evaluated
+  bool modulus = false;                            ///< use |s_k - s_{k-1}|
 };
 
-/// Forces q_i = t_i h_i on cells, sum q = 0.
+/// Forces q_i = t_i h_i on cells with sum q = 0.
 struct CellForces {
   CellFrictionSteps steps;
   ContactProblem problem;
   CellMesh mesh;
   std::vector<Real50> q;
-  double scale = 0;  ///< the sum of the moduli of the energy's terms: energies are given over it
+  /// The sum of the absolute values of the energy's terms. Energies are divided by it.
+  double scale = 0;
 };
 
 std::string text_of(const CellForces& c) {
   return text_of(c.steps) + ", " + std::to_string(c.mesh.size()) + (c.mesh.is_uniform() ? " equal cells" : " cells");
 }
 
-/// -(1/pi) <t * log|x|, t>, up to the factor: log r is the fourth derivative of r^2 log r/2 and a polynomial, and of
-/// that sum J = 0, sum J x = 0 leave nothing.
+/// Returns -(1/pi) <t * log|x|, t>, up to the factor. log r is the fourth derivative of r^2 log r/2 plus a polynomial.
+/// The polynomial contributes nothing, because sum J = 0 and sum J x = 0.
 Real50 logarithmic_sum(const CellForces& c) {
   const std::vector<double>& x = c.mesh.edges();
   std::vector<Real50> jump(x.size(), Real50(0));
@@ -52,7 +53,7 @@ Real50 logarithmic_sum(const CellForces& c) {
   return sum;
 }
 
-/// T at xi, or at the left end of the cell there.
+/// Returns T at xi, or at the left end of its cell.
 Real50 force_before(const CellForces& c, double xi, EnergyFormula::At at) {
   const std::size_t cell = c.mesh.cell_at(xi);
   Real50 sum = 0;
@@ -62,7 +63,7 @@ Real50 force_before(const CellForces& c, double xi, EnergyFormula::At at) {
   return sum + c.q[cell] * (xi - left) / (c.mesh.right(cell) - left);
 }
 
-/// The logarithm's term and one for each jump.
+/// Returns the logarithmic term and one term for each jump.
 std::vector<Real50> energy_terms(const CellForces& c, const EnergyFormula& formula) {
   std::vector<Real50> terms{formula.factor_log * logarithmic_sum(c)};
   const auto& [s, jumps] = c.steps;
@@ -78,7 +79,7 @@ std::vector<Real50> energy_terms(const CellForces& c, const EnergyFormula& formu
 CellForces random_forces(Random& random, std::size_t k) {
   constexpr std::array<Cells, 3> kinds{Cells::equal, Cells::unequal, Cells::graded};
   CellFrictionSteps steps = random_steps(random, k % 2 == 1 ? Trend::falling : Trend::any, 2, 3);
-  // Every other jump where two cells meet.
+  // Every other jump lies between two cells.
   const std::size_t cells = 8 * (1 + random.below(2));
   if (k % 2 == 0)
     steps = {{steps.s[0], steps.s[1]}, {Rational(static_cast<long>(1 + random.below(5)), 4) - Rational(3, 4)}};
@@ -100,7 +101,7 @@ CaseList<CellForces> forces(const Context& context) {
                       random_forces);
 }
 
-/// q.(B t) by entries, one by one.
+/// Returns q.(B t), summed over the entries.
 double by_entries(const CellForces& c, const GalerkinOperator& b) {
   Real50 sum = 0;
   for (std::size_t i = 0; i < b.size(); ++i) {
@@ -119,8 +120,8 @@ double by_products(const CellForces& c, const GalerkinOperator& b) {
   return sum;
 }
 
-/// On equal cells: (1/pi) int_0^oo |t^(k)|^2/k dk with t^ = sum J e^(-ikx)/(ik); the sum over the periods of the
-/// numerator is Hurwitz' zeta function.
+/// Returns the energy on equal cells: (1/pi) int_0^oo |t^(k)|^2/k dk with t^ = sum J e^(-ikx)/(ik). Hurwitz' zeta
+/// function gives the sum over the periods of the numerator.
 double by_fourier(const CellForces& c) {
   const double h = c.mesh.length(0);
   std::vector<double> jump(c.q.size() + 1, 0);

@@ -1,4 +1,4 @@
-// The local action of the operator: every symbol of the symbolic layer against a principal value by quadrature.
+// Compares every symbol of the local action in the symbolic layer with a principal value by quadrature.
 
 #include <optional>
 
@@ -17,7 +17,7 @@ struct ActionAt {
   Rational x;
 };
 
-/// Mirrored to the right half, where the density is x^mu log(x)^logs on ]0, 1[.
+/// Returns the density mirrored to the right half, where it is x^mu log(x)^logs on ]0, 1[.
 template <Real R>
 PiecewiseDensity<R> density_of(const LocalAction& action) {
   const R mu = to_real<R>(action.fractional ? Rational(action.lambda + action.order) : Rational(action.order));
@@ -30,13 +30,14 @@ PiecewiseDensity<R> density_of(const LocalAction& action) {
            }}};
 }
 
-/// By tanh-sinh, and by the trapezoidal rule, which sums its tails as pure powers: it takes no logarithms.
+/// Returns principal values by tanh-sinh and by the trapezoidal rule. The latter sums its tails as pure powers, so that
+/// it cannot be used with logarithms.
 template <Real R>
 Values principal_values(const LocalAction& action, const Rational& x) {
   const PiecewiseDensity<R> density = density_of<R>(action);
   const bool mirrored = action.side == Side::left;
   const R y = to_real<R>(mirrored ? Rational(-x) : x);
-  // H anticommutes with the mirror, which takes x^order to (-1)^order of it.
+  // H anticommutes with the mirror; the mirror changes x^order to (-1)^order x^order.
   const int sign = mirrored && action.order % 2 == 0 ? -1 : 1;
   Values values;
   const auto add = [&](const char* name, const R& value) { values.add({name, R(sign * value)}); };
@@ -76,7 +77,7 @@ CaseList<ActionAt> actions(const Context& context) {
   return {all, "every order and logarithm at a random power and place, seed " + std::to_string(context.seed)};
 }
 
-/// What the symbols say, to more digits than any check asks for.
+/// Returns the values of the symbols, with more digits than any check needs.
 Values said(const ActionAt& c, std::optional<WrongSymbol> wrong = {}) {
   const int digits = static_cast<int>(numeric::Digits::hundred) + 10;
   const symbolic::Decimal decimal = local_action_value(c.action, c.x, digits, wrong);

@@ -17,7 +17,7 @@ struct JumpCase {
   ContactProblem problem;
   Rational place = corner;
   Examined examined = Examined::solved;
-  std::optional<ContactProblem> other = {};  ///< the same next to the jump
+  std::optional<ContactProblem> other = {};  ///< a problem with the same data close to the jump
 
   std::size_t piece(Side side) const { return problem.friction().piece(place, side); }
   Rational s(Side side) const { return s_of(problem, piece(side)); }
@@ -73,7 +73,8 @@ Values solved_values(const JumpCase& c) {
   return values;
 }
 
-/// A punch whose pressure is cos(pi alpha) |Y| (x-c)^2 under f rising at c: A t is linear there.
+/// Returns the check of a punch with the pressure cos(pi alpha) |Y| (x-c)^2, for f that rises at c. A t is linear
+/// there.
 template <Real R>
 Values touch(const JumpCase& touching) {
   const ContactProblem& problem = touching.problem;
@@ -101,7 +102,7 @@ Values touch(const JumpCase& touching) {
   return {{"touch", check.equation()}, {"vanishes", t / halfway < 1}};
 }
 
-/// With alpha = arctan(s/gamma)/pi.
+/// Returns the predictions with alpha = arctan(s/gamma)/pi.
 Values predicted(const JumpCase& c, const Rational& gamma = 1) {
   if (c.examined == Examined::touch) return {{"touch", Number(0)}, {"vanishes", true}};
   const Number beta =

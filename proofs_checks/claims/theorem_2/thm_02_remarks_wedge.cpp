@@ -9,21 +9,22 @@ namespace steadyslide::proofs_checks::thm_02_remarks_wedge {
 namespace {
 
 enum class Examined {
-  wedge,     ///< solved
-  notch,     ///< a re-entrant corner: solved
-  on_cells,  ///< a wedge
+  wedge,     ///< a wedge, solved
+  notch,     ///< a re-entrant corner, solved
+  on_cells,  ///< a wedge on cells
 };
 
 struct CornerCase {
   std::string name;
   Examined examined;
   ContactProblem problem;
-  int trend = 0;                             ///< of f at the vertex
-  std::optional<ContactProblem> other = {};  ///< has the same wedge, and nothing else in common
+  int trend = 0;  ///< sign of the change of f at the vertex
+  /// A problem with the same wedge and otherwise different data.
+  std::optional<ContactProblem> other = {};
 
   Rational place() const { return problem.indenter().breaks().front().x; }
   Rational s() const { return s_of(problem, problem.friction().piece(place(), Side::right)); }
-  /// D, reduced.
+  /// Returns D, reduced.
   Number wedge() const { return to_real<Number>(wedge_of(problem)); }
 };
 
@@ -35,8 +36,9 @@ CornerCase notch(std::string name, FrictionProfile f, const Polynomial& left, co
   return {std::move(name), Examined::notch, flanks(std::move(f), left, Polynomial({0, 0, 1}), load), trend};
 }
 
-/// One wedge, (1/3) - (-1) in slope under f = 2, in problems that have nothing else in common, and without friction.
-/// Notches, 0 - 1 in slope; where the friction rises 0 - 1/8, as little as closes under the load.
+/// Returns the cases. Wedges: the same change of slope (1/3) - (-1) for f = 2 in problems with otherwise different
+/// data, and wedges without friction. Notches: change of slope 0 - 1; for rising friction 0 - 1/8, small enough to
+/// close under the load.
 CaseList<CornerCase> corners(const Context& context) {
   const Rational third(1, 3);
   const Polynomial steep({0, 1, 1});

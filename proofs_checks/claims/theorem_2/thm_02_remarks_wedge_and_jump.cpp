@@ -21,7 +21,7 @@ struct CornerCase {
   Rational wedge() const { return wedge_of(problem); }
 };
 
-/// Friction from `rear` to `front` over a corner whose slope turns from `left` to `right`.
+/// Returns a corner at which the friction changes from `rear` to `front` and the slope from `left` to `right`.
 CornerCase corner_case(std::string name, const Rational& rear, const Rational& front, const Rational& left,
                        const Rational& right, const Rational& load) {
   return {std::move(name),
@@ -106,7 +106,8 @@ Claim claim() {
   return compared<CornerCase>("thm-02-remarks-wedge-and-jump")
       .cases(corners)
       .precision(Precision::quick_in_double)
-      // Beside a power of the distance a limit is exact to digits of the power's size.
+      // The traction also contains a power of the distance. Therefore the limit has only as many digits as this power
+      // leaves.
       .measured([]<Real R>(const CornerCase& c) { return measured<R>(c); })
       .predicted(predicted)
       .wrong("zero where `f` falls, as without the wedge", [](Values& p) { set_limit(p, 0); })

@@ -1,4 +1,4 @@
-// Which side's friction governs an end of contact that lies on a friction jump. [Bal16, theorem 3]
+// Checks which side's friction governs a contact end at a friction jump. [Bal16, theorem 3]
 
 #include <cmath>
 
@@ -10,15 +10,15 @@
 namespace steadyslide::proofs_checks::thm_03_contact_side {
 namespace {
 
-/// Two flat levels that meet in a step at c = 0, where the friction jumps too: the lower one is in contact, and the
-/// other is higher than the surface rises next to a punch under friction up to 50.
+/// Two flat levels with a step at c = 0, where the friction jumps too. The lower level is in contact. The other level
+/// is higher than the surface rises beside a punch with friction up to 50.
 struct StepCase {
   Rational nu;
   Rational rear_friction;
   Rational front_friction;
   Side contact;
-  bool solved = false;    ///< with its step and jump
-  bool on_cells = false;  ///< too, in a full run
+  bool solved = false;    ///< solve the problem with its step and friction jump
+  bool on_cells = false;  ///< also on cells, in a full run
 
   static Rational height() { return 200; }
   ContactProblem problem() const {
@@ -28,9 +28,9 @@ struct StepCase {
             Indenter(-1, {{0, rear ? Polynomial() : high}, {1, rear ? high : Polynomial()}}), 1};
   }
   std::size_t piece() const { return contact == Side::left ? 0 : 1; }
-  /// Among the ends of the contact.
+  /// Returns the index of this end among the contact ends.
   std::size_t end_at_step() const { return contact == Side::left ? 1 : 0; }
-  /// With the angle of its friction on the side of the contact, or with another.
+  /// Returns the power with the angle of the friction on the contact's side, or with another angle.
   Exponent power_at_step(const Exponent& angle) const {
     return contact == Side::left ? -(half - angle) : -(half + angle);
   }
@@ -65,14 +65,14 @@ Estimate<double> power_at_step_on_cells(const StepCase& c) {
   throw Refutation{{text_of(c), "on cells the contact does not end at the step"}};
 }
 
-/// The problem solved with its step and its friction jump.
+/// The solution of the problem with its step and its friction jump.
 template <class R>
 struct SolvedStep {
   Solved<R> solution;
   std::optional<Estimate<double>> power_on_cells;
 };
 
-/// By quadrature of the formula's traction: the surface stays below the other level.
+/// Checks by quadrature of the formula's traction that the surface stays below the other level.
 template <Real R>
 void check_gap(Findings& findings, const PowerForm<R>& form, const StepCase& c) {
   const trapezoidal::Grid<R> grid(form.traction().density());
@@ -110,7 +110,7 @@ PowerProduct traction(const StepCase& c) {
                           {punch_amplitude<Number>(c.problem(), c.piece())});
 }
 
-/// With the angle of the other side's friction, for contact on this side.
+/// Returns a change: the angle of the other side's friction, for contact on this side.
 auto other_angle_for(Side contact) {
   return [contact](PowerProduct& t, const StepCase& c) {
     if (c.contact == contact) t.exponents[c.end_at_step()] = c.power_at_step(other_angle(c));

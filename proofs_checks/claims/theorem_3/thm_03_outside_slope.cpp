@@ -1,4 +1,4 @@
-// What the surface does outside of the contact, next to an edge [Bal16, theorem 3].
+// Checks the surface outside of the contact, close to an edge [Bal16, theorem 3].
 
 #include <algorithm>
 
@@ -8,13 +8,14 @@
 namespace steadyslide::proofs_checks::thm_03_outside_slope {
 namespace {
 
-/// u' = factor |Y| beyond an end, and u' ~ coefficient theta d^power next to it, t ~ -theta d^power inside.
+/// The formulas u' = factor |Y| beyond an end, u' ~ coefficient theta d^power close to it, and t ~ -theta d^power
+/// inside.
 struct EndSlope {
   Number factor;
   Number coefficient;
   Exponent power;
-  Number moved = 0;          ///< added to the power by a near miss
-  bool from_inside = false;  ///< the estimate is read inside of the contact
+  Number moved = 0;          ///< a near miss adds this to the power
+  bool from_inside = false;  ///< take the estimate from inside the contact
 };
 
 struct Outside {
@@ -37,7 +38,7 @@ Outside outside(const ContactProblem& p) {
   return {{-over_pi, -root(0), -(half + alpha(p, 0))}, {over_pi, root(last), -(half - alpha(p, last))}};
 }
 
-/// Beyond an end of the contact, and next to it.
+/// Checks the slope beyond a contact end, and close to it.
 template <Real R>
 void check_end(Findings& findings, const EndSlope& end, Side side, const PowerForm<R>& form,
                const ContactProblem& problem) {
@@ -54,7 +55,7 @@ void check_end(Findings& findings, const EndSlope& end, Side side, const PowerFo
     findings.compare("tanh-sinh", tanh_sinh::cauchy<R>(density, side, d).value, expected);
   }
   const std::size_t last = side == Side::left ? 0 : form.lengths.size() - 1;
-  // The estimate's error is the distance over the length to the next singular point.
+  // The relative error of the estimate is the distance divided by the length to the next singular point.
   const R near = R(tolerance<R>()) / 1000 * std::ranges::min(form.lengths);
   const R theta = -form.amplitudes[last] * traction.weight.amplitude(side == Side::left ? 0 : form.lengths.size());
   R slope = factor * traction.weight.modulus_beyond(side, near);

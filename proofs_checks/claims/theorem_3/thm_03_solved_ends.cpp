@@ -1,4 +1,4 @@
-// The slope of the surface beyond the ends of the contact of solved problems, against the traction within.
+// Compares the slope of the surface beyond the contact ends of solved problems with the traction inside.
 
 #include "numeric/cauchy/traction_density.hpp"
 #include "proofs_checks/instruments/solutions/flanks.hpp"
@@ -12,14 +12,14 @@ namespace {
 
 struct SolvedProblem {
   ContactProblem problem;
-  std::array<bool, 2> free;  ///< its ends
+  std::array<bool, 2> free;  ///< true for a free end
 
   Rational s(std::size_t end) const { return s_of(problem, end == 0 ? 0 : problem.friction().values().size() - 1); }
 };
 
 std::string text_of(const SolvedProblem& c) { return proofs_checks::text_of(c.problem); }
 
-/// The friction jumps where two flanks meet.
+/// Returns a problem whose friction jumps at the point where two flanks meet.
 ContactProblem with_jump(const Rational& rear, const Rational& front, const Polynomial& left, const Polynomial& right,
                          const Rational& load) {
   return flanks(FrictionProfile({rear, front}, {corner}), left, right, load, Rational(-1, 2));
@@ -35,7 +35,7 @@ CaseList<SolvedProblem> problems(const Context& context) {
       1, "solved problems");
 }
 
-/// u'/c - psi'/c = coefficient (-t/d^p) d^p beyond an end, -t/d^p continued across it.
+/// The formula u'/c - psi'/c = coefficient (-t/d^p) d^p beyond an end, where -t/d^p is continued across the end.
 struct EndSlope {
   Number coefficient;
   Number power;
@@ -52,7 +52,7 @@ EndSlopes slopes(const SolvedProblem& c) {
   return said;
 }
 
-/// A solved problem and u'/c by quadrature one step beyond its outer ends.
+/// A solved problem, and u'/c by quadrature one step beyond its outer ends.
 template <class R>
 struct SolvedEnds {
   Solved<R> solution;
@@ -74,7 +74,7 @@ void check_end(Findings& findings, const EndSlope& said, Side side, const Solved
   const std::size_t end = contact_end(*found.solution, side);
   const R h = extrapolation_step<R>();
   const R power(said.power);
-  std::vector<R> theta;  // within, 1, 2, ... steps from the end
+  std::vector<R> theta;  // inside, 1, 2, ... steps from the end
   for (int i = 1; i <= extrapolation_values<R>; ++i) {
     const R d = i * h;
     theta.push_back(-form.traction(numeric::beside(form.set(), end, opposite(side), d)).value / pow(d, power));

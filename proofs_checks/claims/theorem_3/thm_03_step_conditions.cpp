@@ -1,4 +1,4 @@
-// At a step of the profile: which end of contact goes with which sign of the step. [Bal16, theorem 3]
+// Checks at a step of the profile which contact end belongs to which sign of the step. [Bal16, theorem 3]
 
 #include "proofs_checks/instruments/operators/local_power.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 const Rational jump_of_profile(1, 5);
 
-/// A parabola on [-end, end] with a step at 3/7, or at -3/7: `high` is the side away from the body.
+/// Returns a parabola on [-end, end] with a step at 3/7 or -3/7. `high` is the side that is farther from the body.
 ContactProblem stepped(const Rational& place, Side high, const Rational& load, const Rational& f = 1,
                        const Rational& end = 1) {
   const Polynomial low({0, 0, Rational(1, 4)});
@@ -19,14 +19,15 @@ ContactProblem stepped(const Rational& place, Side high, const Rational& load, c
           Indenter(-end, {{place, high == Side::left ? lifted : low}, {end, high == Side::left ? low : lifted}}), load};
 }
 
-/// An end of the contact, with the contact on the side `contact`.
+/// A contact end; the contact lies on the side `contact`.
 struct EndCase {
   std::string name;
   ContactProblem problem;
   Side contact;
-  std::optional<Rational> place;  ///< of the step; absent: wherever the end is, the profile is continuous there
-  /// Does the leading power there outweigh the next one over cells enough? Where it does not, nothing but the solver
-  /// says of which kind the end is, and its power is not examined.
+  /// The point of the step. If absent, the end may be anywhere and the profile is continuous there.
+  std::optional<Rational> place;
+  /// True if the leading power dominates the next one over enough cells. Otherwise only the solver determines the kind
+  /// of the end, and the power is not examined.
   bool on_cells = true;
 };
 
@@ -60,7 +61,7 @@ Estimate<double> power_at_end_on_cells(const EndCase& c, std::size_t cells) {
   throw Refutation{{c.name, "on cells the contact does not end there"}};
 }
 
-/// Of the step, 1 or -1: the side in contact less the side without.
+/// Returns 1 if the contact is on the right of the point, -1 if on the left.
 template <Real R>
 int contact_at(const RiemannHilbertSolution<R>& solution, std::size_t point) {
   return int(in_contact(solution, point, Side::right)) - int(in_contact(solution, point, Side::left));
@@ -68,7 +69,8 @@ int contact_at(const RiemannHilbertSolution<R>& solution, std::size_t point) {
 
 enum class End { edge, free };
 
-/// -(1/2+alpha), 1/2-alpha with the contact on the right; mirrored on the left.
+/// Returns -(1/2+alpha) for an edge and 1/2-alpha for a free end with the contact on the right, and the mirrored powers
+/// on the left.
 Values powers(End end, Side contact, const ContactProblem& problem) {
   const Exponent angle = alpha(problem, 0);
   const Number power = to_real<Number>((end == End::edge ? -half : half) + (contact == Side::right ? -angle : angle));

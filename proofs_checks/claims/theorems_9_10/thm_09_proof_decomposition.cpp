@@ -1,4 +1,4 @@
-// How the proof of theorem 9 takes a solution apart. [Bal16, theorem 9]
+// Checks the decomposition of a solution in the proof of theorem 9. [Bal16, theorem 9]
 //
 //   t = L(phi) + L(psi - phi) + L(u - psi) - P t_0,   phi' = psi'(c-) left and psi'(c+) right of c.
 
@@ -11,7 +11,7 @@
 namespace steadyslide::proofs_checks::thm_09_proof_decomposition {
 namespace {
 
-/// Reduced, on [-1, 1], a wedge at c and constant friction.
+/// A reduced problem on [-1, 1] with a wedge at c and constant friction.
 struct WedgeProblem {
   std::string name;
   ContactProblem problem;
@@ -36,16 +36,17 @@ CaseList<WedgeProblem> problems(const Context&) {
           "a problem in full contact, one with free ends"};
 }
 
-/// t = L(phi) + rest L(psi - phi) + beyond L(u - psi) + load P t_0; L(phi) ~ logarithm D/(1+s^2) log|x-c|/pi.
+/// The formula t = L(phi) + rest L(psi - phi) + beyond L(u - psi) + load P t_0; L(phi) ~ logarithm D/(1+s^2)
+/// log|x-c|/pi.
 struct Decomposition {
   int rest = 1;
   int beyond = 1;
   Number load = -1;
   int logarithm = 1;
-  int step = 1;  ///< of L(phi) at c, the sign
+  int step = 1;  ///< sign of the step of L(phi) at c
 };
 
-/// At one place of the contact.
+/// The terms at one point of the contact.
 template <class R>
 struct Terms {
   R phi;
@@ -54,20 +55,20 @@ struct Terms {
   R load;    ///< P t_0
   R traction;
 };
-/// L(phi) next to c.
+/// L(phi) close to c.
 template <class R>
 struct AtCorner {
-  std::array<R, 2> logarithm;  ///< its coefficient
+  std::array<R, 2> logarithm;  ///< coefficients of the logarithm, left and right
   R step;
-  double others;  ///< what the other terms differ by across c, over their size
+  double others;  ///< relative difference of the other terms across c
 };
 template <class R>
 struct Measured {
   std::vector<Terms<R>> terms;
-  std::optional<AtCorner<R>> at_corner;  ///< in full contact
+  std::optional<AtCorner<R>> at_corner;  ///< only in full contact
 };
 
-/// t_0(x) with its distances to -1 and 1.
+/// Returns t_0(x) from the distances to -1 and 1.
 template <Real R>
 R unit_solution(const Rational& s, const R& from_rear, const R& from_front) {
   using std::pow;
@@ -90,7 +91,7 @@ std::vector<SlopePanel<R>> panels_of(const RiemannHilbertSolution<R>& solution) 
   return panels;
 }
 
-/// u' - psi' beyond the contact: a power at its end, beside the support's own end where it is smooth.
+/// Sets u' - psi' beyond the contact: a power at the contact's end, smooth at the end of the support.
 template <Real R>
 void set_beyond(SlopePanel<R>& panel, const RiemannHilbertSolution<R>& solution, std::size_t end, Side side) {
   const auto& form = solution.form();
@@ -136,7 +137,7 @@ std::vector<Terms<R>> terms_of(const WedgeProblem& w, const RiemannHilbertSoluti
   return terms;
 }
 
-/// L(phi) on the whole of [-1, 1] as a Riemann-Hilbert form without load.
+/// Returns L(phi) close to c, from L(phi) on the whole of [-1, 1] as a Riemann-Hilbert form without load.
 template <Real R>
 AtCorner<R> at_corner(const WedgeProblem& w, const RiemannHilbertSolution<R>& solution) {
   using std::abs, std::log;

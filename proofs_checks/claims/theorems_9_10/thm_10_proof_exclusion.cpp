@@ -1,4 +1,4 @@
-// Why a free end has no edge singularity: the last step in the proof of theorem 10. [Bal16, theorem 10]
+// Checks the last step in the proof of theorem 10: a free end has no edge singularity. [Bal16, theorem 10]
 
 #include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
@@ -8,13 +8,13 @@
 namespace steadyslide::proofs_checks::thm_10_proof_exclusion {
 namespace {
 
-/// A contact that is made to end at 0 with an edge, where the profile is continuous: no solution, but the equation
-/// holds.
+/// A contact that is forced to end at 0 with an edge, where the profile is continuous. It is not a solution, but the
+/// equation holds.
 struct ForcedEnd {
-  Side beyond;  ///< of 0
+  Side beyond;  ///< the side of 0 without contact
   double other_end;
-  Rational slope;  ///< of the profile at 0
-  int sign;        ///< of a, that this case is to show
+  Rational slope;  ///< slope of the profile at 0
+  int sign;        ///< the sign of a in this case
 };
 
 const Rational s(3, 4);
@@ -66,7 +66,7 @@ Claim claim() {
         const R a = -form.traction(beside(form, j, opposite(c.beyond), R(d * unit))).value / pow(d, p);
         const numeric::GapIntegral<R> beyond(form, j);
         const R gap = beyond.reduced_gap(beside(form, j, c.beyond, R(d * unit))).value / pow(d, R(p + 1));
-        // A place where nothing is small.
+        // A point at which no quantity is small.
         const R far = R(1) / 50;
         const auto at = beside(form, j, c.beyond, R(far * unit));
         const trapezoidal::Grid<R> grid(traction_density(form));

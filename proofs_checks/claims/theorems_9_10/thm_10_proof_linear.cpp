@@ -6,7 +6,7 @@
 namespace steadyslide::proofs_checks::thm_10_proof_linear {
 namespace {
 
-/// (a + b (1+x)) t_0, t_0 = cos(pi alpha)/pi (1+x)^rear (1-x)^front.
+/// The traction (a + b (1+x)) t_0, t_0 = cos(pi alpha)/pi (1+x)^rear (1-x)^front.
 struct LinearForm {
   Number a;
   Number b;
@@ -16,7 +16,7 @@ struct LinearForm {
 
 const Rational k(3, 2);
 
-/// a = -pi k (1 - times alpha).
+/// Returns a = -pi k (1 - times alpha).
 Number constant(const FrictionValue& c, int times) {
   const Number alpha = to_real<Number>(Exponent::angle(c.s));
   return -numeric::pi<Number>() * to_real<Number>(k) * (1 - times * alpha);

@@ -1,4 +1,4 @@
-// How an inner end of the contact becomes the left edge of ]c, 1[ in the proof of theorem 10. [Bal16, theorem 10]
+// Checks how an inner contact end becomes the left edge of ]c, 1[ in the proof of theorem 10. [Bal16, theorem 10]
 
 #include "numeric/cauchy/sliding_operator.hpp"
 #include "numeric/cauchy/traction_density.hpp"
@@ -9,27 +9,28 @@
 namespace steadyslide::proofs_checks::thm_10_proof_reduction {
 namespace {
 
-/// H t + s t = psi_bar' + slope u~' on the second zone alone, under the load P + load int t~.
+/// The equation H t + s t = psi_bar' + slope u~' on the second component alone, under the load P + load int t~.
 struct Reduction {
   Number slope = -1;
-  bool printed = false;  ///< the printed u~'s derivative for u~'
+  bool printed = false;  ///< use the derivative of the printed u~ for u~'
   int load = 1;
 };
 
 template <class R>
 struct ReductionPoint {
-  numeric::SlidingTerms<R> zone;  ///< A t of the second zone alone
+  numeric::SlidingTerms<R> zone;  ///< A t of the second component alone
   R profile;
   R slope;    ///< u~'
-  R printed;  ///< (d/dx) of the printed u~, taken for u~ itself
+  R printed;  ///< (d/dx) of the printed u~, as if this were u~ itself
 };
 template <class R>
 struct ReductionFacts {
   std::vector<ReductionPoint<R>> points;
   R load;
   R first_zone;   ///< int t~
-  R second_zone;  ///< int of the rest
-  R smooth;       ///< u~' on the left of c, less what its values on the right extrapolate to
+  R second_zone;  ///< integral over the second component
+  /// The difference between u~' on the left of c and its extrapolation from values on the right.
+  R smooth;
 };
 
 template <Real R>

@@ -7,7 +7,7 @@ namespace {
 const Rational near(1, 1000);
 const Rational far(1, 20);
 
-/// t = y^p on ]0, 1[, p = -(1/2+alpha).
+/// Returns t = y^p on ]0, 1[, p = -(1/2+alpha).
 template <Real R>
 PiecewiseDensity<R> power_density(const Rational& s) {
   return {{{R(0), R(1), R(1)}, numeric::Power<R>::of(-(half + Exponent::angle(s))), {R(0), R(1)}, [](const auto&) {
@@ -17,7 +17,7 @@ PiecewiseDensity<R> power_density(const Rational& s) {
 
 Number sine(const Rational& s) { return 1 / sqrt(Number(1 + to_real<Number>(s * s))); }
 
-/// d^p/sine less the power series that ]1, oo[ leaves.
+/// Returns d^p/sine minus the power series that comes from ]1, oo[.
 Number slope_beyond(const Rational& s, const Rational& distance, const Number& sine) {
   const Number p = -to_real<Number>(half + Exponent::angle(s));
   const Number d = to_real<Number>(distance);
@@ -35,7 +35,7 @@ Values values_with(const Rational& s, const Number& sine) {
           {"tangent", true}};
 }
 
-/// s = 2m/(1-m^2) is the tangent of twice the angle of m.
+/// True if s = 2m/(1-m^2) is the tangent of twice the angle of m.
 bool tangent_of_twice_the_angle(const Rational& m) {
   const Rational twice = 2 * m / (1 - m * m);
   const Rational root = (1 + m * m) / (1 - m * m);

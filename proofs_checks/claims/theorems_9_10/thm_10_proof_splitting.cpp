@@ -4,16 +4,16 @@
 namespace steadyslide::proofs_checks::thm_10_proof_splitting {
 namespace {
 
-/// (1+x')^{1+b} = (constant + slope x) (1+x')^b + last (x'-x) (1+x')^{b + last_power}.
+/// The formula (1+x')^{1+b} = (constant + slope x) (1+x')^b + last (x'-x) (1+x')^{b + last_power}.
 struct Splitting {
   Rational constant = 1;
   Rational slope = 1;
   Rational last = 1;
   int last_power = 0;
-  Number integral = 1;  ///< a factor of the second integral
+  Number integral = 1;  ///< factor of the second integral
 };
 
-/// (1+x')^{b + extra} eta(x') with b = 1/2+alpha, eta = (1-x')^{1/2-alpha}/(3+x').
+/// Returns (1+x')^{b + extra} eta(x') with b = 1/2+alpha, eta = (1-x')^{1/2-alpha}/(3+x').
 template <Real R>
 PiecewiseDensity<R> density(const Rational& s, int extra) {
   const Exponent alpha = Exponent::angle(s);
@@ -23,7 +23,7 @@ PiecewiseDensity<R> density(const Rational& s, int extra) {
            [](const Node<R>& node) { return R(1 / (3 + node.x)); }}};
 }
 
-/// Of first degree in x and in x': four corners of a rectangle decide it.
+/// Decides an equation of first degree in x and in x': the four corners of a rectangle are sufficient.
 void decide_powers(Findings& findings, const Splitting& form) {
   for (const Rational& x : {Rational(-1, 2), Rational(1, 3)}) {
     for (const Rational& y : {Rational(1, 5), Rational(-2, 3)}) {

@@ -13,7 +13,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Lambda: 16 sin^4(theta/2) sum_m 1/|theta + 2 pi m|^3, the sum by polygamma functions.
+/// Returns the symbol Lambda: 16 sin^4(theta/2) sum_m 1/|theta + 2 pi m|^3. Polygamma functions give the sum.
 double symbol(double angle) {
   const double part = angle / (2 * pi);
   const double sum = -(boost::math::polygamma(2, part) + boost::math::polygamma(2, 1 - part)) / 2;
@@ -25,7 +25,7 @@ double cells_integral(double part, bool cells_form) {
     const double t = 1 - 2 * part * (1 - part) * (1 - std::cos(angle));
     return (cells_form ? t / symbol(angle) : t / angle) - 1 / angle;
   };
-  // Near 0 it falls like theta, and what is left is a difference of large numbers.
+  // Near 0 the density falls like theta, and its formula subtracts large numbers of almost equal size.
   constexpr double from = 1e-4;
   return boost::math::quadrature::gauss<double, 30>::integrate(density, from, pi) + from * density(from) / 2;
 }

@@ -100,7 +100,7 @@ GalerkinOperator operator_of(const CellFrictionSteps& steps, const CellMesh& mes
 
 Eigen::MatrixXd symmetric_part(const CellMesh& mesh, const GalerkinOperator& b, bool slip) {
   return matrix_of(b.size(), b.size(), [&](std::size_t row, std::size_t column) {
-    // The same rounding on both sides of the diagonal.
+    // This makes the rounding equal on both sides of the diagonal.
     const auto [i, j] = std::minmax(row, column);
     const double value = b.logarithm(i, j) / mesh.length(j);
     return slip ? value + (b.friction_entry(i, j) / mesh.length(j) + b.friction_entry(j, i) / mesh.length(i)) / 2

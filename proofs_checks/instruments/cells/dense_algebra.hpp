@@ -1,12 +1,12 @@
 #pragma once
-// Eigenvalues, norms and linear systems of dense matrices, in double. Eigen's decompositions are compiled here and
-// nowhere else among the claims: each of them takes a compiler seconds.
+// Eigenvalues, norms and linear systems of dense matrices, in double. Among the claims, only this source compiles
+// Eigen's decompositions, because each takes the compiler seconds.
 
 #include <Eigen/Core>
 
 namespace steadyslide::proofs_checks {
 
-/// f(i, j) at each place.
+/// Returns the matrix with the entries f(i, j).
 template <class F>
 Eigen::MatrixXd matrix_of(std::size_t rows, std::size_t columns, const F& f) {
   using Eigen::Index;
@@ -19,19 +19,20 @@ Eigen::VectorXd vector_of(std::size_t size, const F& f) {
   return matrix_of(size, 1, [&](std::size_t i, std::size_t) { return f(i); });
 }
 
-/// Of a symmetric matrix, in increasing order.
+/// Returns the eigenvalues of a symmetric matrix in increasing order.
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& a);
-/// lambda of a x = lambda b x, in increasing order; both symmetric, b positive definite.
+/// Returns the eigenvalues lambda of a x = lambda b x in increasing order; a and b are symmetric, b is positive
+/// definite.
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
-/// The largest singular value.
+/// Returns the largest singular value.
 double spectral_norm(const Eigen::MatrixXd& a);
-/// A form in coordinates in which the symmetric, positive definite `metric` is the identity.
+/// Returns the form in coordinates in which `metric`, symmetric and positive definite, is the identity.
 Eigen::MatrixXd in_metric(const Eigen::MatrixXd& form, const Eigen::MatrixXd& metric);
 
-/// a x = b with any invertible matrix.
+/// Solves a x = b for any invertible matrix a.
 Eigen::VectorXd linear_solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
-/// a x = b for each column of b, a symmetric and positive definite.
+/// Solves a x = b for each column of b; a is symmetric and positive definite.
 Eigen::MatrixXd definite_solution(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
 }  // namespace steadyslide::proofs_checks

@@ -11,7 +11,7 @@ using numeric::variational::ActiveSetResult;
 
 namespace {
 
-/// The longest step, up to 1, after which x is still positive.
+/// Returns the longest step, at most 1, that keeps x positive.
 double longest_step(const Eigen::VectorXd& x, const Eigen::VectorXd& dx) {
   constexpr double share = 0.99;
   double step = 1;
@@ -26,8 +26,10 @@ double longest_step(const Eigen::VectorXd& x, const Eigen::VectorXd& dx) {
 std::optional<ComplementaryPair> by_interior_points(const Eigen::MatrixXd& m, const Eigen::VectorXd& r,
                                                     std::optional<double> total) {
   constexpr int most_steps = 300;
-  constexpr double towards_zero = 0.1;  // what a step aims at, of the mean product
-  constexpr double nothing = 1e-28;     // a mean product: x_i or y_i of its root are rounding beside the others
+  constexpr double towards_zero = 0.1;  // the target of a step, as a part of the mean product
+  // The mean product, over the scale, at which the iteration ends. An x_i or y_i of the size of its square root is
+  // rounding beside the others.
+  constexpr double nothing = 1e-28;
   const Eigen::Index n = r.size();
   const Eigen::Index size = n + (total ? 1 : 0);
   const double scale = 1 + r.cwiseAbs().maxCoeff();

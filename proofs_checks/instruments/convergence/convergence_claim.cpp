@@ -1,5 +1,5 @@
-// The solver on cells, which knows no exponents, against the Riemann-Hilbert solution: ends, resultants, intensities
-// and exponents, at the rates that theory predicts.
+// Compares the cell solver, which uses no exponents, with the Riemann-Hilbert solution: contact ends, resultants,
+// intensities and exponents, at the rates that theory predicts.
 
 #include "proofs_checks/instruments/convergence/convergence_claim.hpp"
 
@@ -15,14 +15,15 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-/// What is predicted of a problem, in the units of the study; the defaults are the right one.
+/// The prediction for a problem, in the units of the study. The defaults are the right prediction; other values are
+/// wrong variants.
 struct Prediction {
-  bool friction_reversed = false;  ///< in the reference
+  bool friction_reversed = false;  ///< reverse the friction of the reference
   double rate_offset = 0;
-  bool angle_reversed = false;  ///< in the exponents
-  double end_offset = 0;        ///< of the reference's ends, in cells
-  double intensity_offset = 0;  ///< of the reference's, in tolerances
-  double resultant_offset = 0;  ///< of the reference's, in radii of what is proved
+  bool angle_reversed = false;  ///< reverse the sign of alpha in the exponents
+  double end_offset = 0;        ///< offset of the reference's ends, in cells
+  double intensity_offset = 0;  ///< offset of the reference's intensities, in tolerances
+  double resultant_offset = 0;  ///< offset of the reference's resultants, in radii of the proved interval
 };
 
 class Comparison {
@@ -39,7 +40,7 @@ class Comparison {
     }
   }
 
-  /// The energy bounds them on every mesh, by a theorem, whatever the rates do.
+  /// Compares with the proved bounds. A theorem gives them from the energy on every mesh, independently of the rates.
   void proved_resultants() {
     for (const MeshLevel& level : study_.levels) {
       if (!level.bound) continue;
@@ -52,7 +53,8 @@ class Comparison {
     }
   }
 
-  /// Reading adds an error of its own, of first order: what is of second order is not seen beside it.
+  /// The fit to the cells adds an error of first order. It hides an error of second order, so that no rate is measured
+  /// then.
   void intensities() {
     if (!quick_ && study_.rate < 2) {
       rate("error of the stress intensities, root mean square", first_with_intensities, [&](const MeshLevel& level) {
@@ -122,7 +124,8 @@ class Comparison {
         {what, measured.value, measured.error_bar, study_.rate + predicted_.rate_offset, quick_ ? 0.25 : 0.1, detail});
   }
 
-  /// The error in the energy, in parts of P^2, that is proved on the first mesh of each level; empty where none is.
+  /// Returns the proved errors of the energy, in parts of P^2, on the first mesh of each level. Returns an empty text
+  /// if none is proved.
   std::string proved_energies() const {
     std::string result;
     for (const MeshLevel& level : study_.levels) {
@@ -159,7 +162,7 @@ Claim convergence_claim(std::string_view id) {
       formula_claim<ContactProblem, Prediction>(std::string(id))
           .cases(cases)
           .precision(Precision::in_double)
-          // A study is long, and a claim and all its controls look at the same one.
+          // A study takes long. Therefore a claim and all its controls use the same study.
           .checked(
               [studies = std::make_shared<std::map<bool, ConvergenceStudy>>()](
                   Findings& findings, const Prediction& predicted, const ContactProblem& p, const Context& context) {

@@ -1,6 +1,6 @@
 #pragma once
-// The claim that the solver on cells tends to the Riemann-Hilbert solution of the problem of convergence_cases() that
-// its text names.
+// The claim that the cell solver converges to the Riemann-Hilbert solution. The claim's text names the problem in
+// convergence_cases().
 
 #include <string_view>
 

@@ -74,7 +74,7 @@ std::optional<enclosure::CellBound> proved_bound(const ContactProblem& problem, 
   return bound;
 }
 
-/// Of the friction sliding the other way.
+/// Returns the exponent for friction with the opposite sign.
 Exponent reversed(const SingularPlace& place, const ContactProblem& problem) {
   if (!place.is_end()) return -*place.exponent;
   const End end = opposite(place.contact);
@@ -163,7 +163,7 @@ ConvergenceStudy study(const ContactProblem& problem, const StudyPlan& plan) {
 }
 
 const enclosure::Ball* proved_resultant(const enclosure::CellBound& bound, std::size_t k) {
-  const std::size_t shares = bound.load_share.size() - 1;  // the last follows from the others
+  const std::size_t shares = bound.load_share.size() - 1;  // the last load share follows from the others
   if (shares == 0 || k > shares) return nullptr;
   return k < shares ? &bound.load_share[k] : &bound.effective_friction;
 }

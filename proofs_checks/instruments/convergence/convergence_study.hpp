@@ -1,5 +1,6 @@
 #pragma once
-// A problem solved on many meshes, and once by its singular functions: what convergence is read from.
+// A problem solved on many meshes, and once by its singular functions. Rates of convergence are measured on these
+// solutions.
 
 #include <optional>
 
@@ -9,22 +10,23 @@
 
 namespace steadyslide::proofs_checks {
 
-/// With fewer cells there are not always enough of them between two singular points for an intensity to be read.
+/// The smallest number of cells on which intensities are fitted. With fewer cells there may be too few between two
+/// singular points.
 inline constexpr std::size_t first_with_intensities = std::size_t{1} << 11;
 
-/// What a solution says that others can be compared with.
+/// The quantities of a solution that are compared with those of another.
 struct SolvedQuantities {
   struct End {
     double x;
-    bool exact;  ///< an edge or a step
+    bool exact;  ///< true for an edge or a step
   };
   std::vector<End> ends;
   std::vector<double> resultants;
-  std::vector<double> intensities;  ///< and constants; empty if they were not read
+  std::vector<double> intensities;  ///< and constants; empty if they were not fitted
 };
 
-/// Names of the resultants that the problem leaves open: load shares and effective friction where friction jumps, the
-/// centre of pressure, or the tilt where the indenter may tilt.
+/// Returns the names of the resultants that are not given by the problem: load shares and effective friction if the
+/// friction jumps, and the centre of pressure, or the tilt if the indenter may tilt.
 std::vector<std::string> resultant_names(const ContactProblem& problem);
 
 struct SolvedReference {
@@ -32,7 +34,7 @@ struct SolvedReference {
   std::vector<std::string> intensity_names;  ///< "theta at -1.0000", "constant at 0.1429", left to right
 };
 
-/// By Riemann-Hilbert. Throws std::runtime_error where it does not solve the problem.
+/// Returns the Riemann-Hilbert solution. Throws std::runtime_error if it does not solve the problem.
 SolvedReference reference(const ContactProblem& problem);
 
 struct OnMesh {
@@ -41,50 +43,52 @@ struct OnMesh {
   SolvedQuantities solved;
 };
 
-/// Meshes of about the same number of cells: consecutive numbers, so that ends and jumps fall everywhere in a cell.
+/// Meshes with about the same number of cells. The numbers are consecutive, so that ends and friction jumps lie at
+/// different places within a cell.
 struct MeshLevel {
-  std::size_t cells;  ///< the first
+  std::size_t cells;  ///< number of cells of the first mesh
   std::vector<OnMesh> meshes;
-  /// What is proved of the first mesh, without knowing the solution; nothing where no energy bounds the error.
+  /// The proved bounds on the first mesh; they do not use the solution. Nothing if the energy does not bound the error.
   std::optional<enclosure::CellBound> bound;
 };
 
-/// The proved interval of resultant k of resultant_names(); null if k is none of the load shares and friction.
+/// Returns the proved interval of resultant k of resultant_names(), or null if k is neither a load share nor the
+/// friction.
 const enclosure::Ball* proved_resultant(const enclosure::CellBound& bound, std::size_t k);
 
-/// The exponent read off the cells on one side of a singular point, and what the theory has there.
+/// The exponent fitted to the cells on one side of a singular point, and the exponent that the theory gives.
 struct ReadExponent {
   double x;
   Side side;
   Estimate<double> found;
   Exponent derived;
-  Exponent reversed;  ///< of the friction sliding the other way
+  Exponent reversed;  ///< for friction with the opposite sign
 };
 
 struct ConvergenceStudy {
-  double rate;  ///< expected
+  double rate;  ///< expected rate
   std::vector<MeshLevel> levels;
-  OnMesh fine;  ///< one mesh, from which exponents are read
+  OnMesh fine;  ///< one mesh, for the fit of exponents
   std::vector<ReadExponent> exponents;
 };
 
-/// What is solved. Seven meshes on each level; where the expected rate is 2 as many as 21, for there the error is that
-/// of a free end within its cell, and scatters.
+/// The meshes of a study. Each level has seven meshes. If the expected rate is 2, it has 21: then the error is that of
+/// the position of a free end within its cell, which scatters.
 struct StudyPlan {
-  std::size_t last;  ///< level; the first has 64 cells
-  std::size_t fine;  ///< cells of the one mesh from which exponents are read
+  std::size_t last;  ///< cells of the last level; the first has 64
+  std::size_t fine;  ///< cells of the mesh to which exponents are fitted
   enum class Exponents { none, one_of_a_kind, all } exponents;
 
   static StudyPlan full() { return {std::size_t{1} << 14, std::size_t{1} << 14, Exponents::all}; }
-  /// One edge, one free end and one side of one friction jump: fits take most of the time.
+  /// Fits one edge, one free end and one side of one friction jump, because fits take most of the time.
   static StudyPlan quick() { return {std::size_t{1} << 9, std::size_t{1} << 12, Exponents::one_of_a_kind}; }
 };
 
-/// Throws std::runtime_error where a mesh is not solved.
+/// Returns the study. Throws std::runtime_error if the problem is not solved on a mesh.
 ConvergenceStudy study(const ContactProblem& problem, const StudyPlan& plan);
 
-/// Root mean squares over the meshes of a level: of resultant k, and of intensity k relative to the exact one; not a
-/// number where it was not read on all of them.
+/// Return the root mean square over the meshes of a level of the error of resultant k, and of the relative error of
+/// intensity k. The result is NaN if an intensity was not fitted on all of them.
 double resultant_error(const MeshLevel& level, const SolvedQuantities& exact, std::size_t k);
 double intensity_error(const MeshLevel& level, const SolvedQuantities& exact, std::size_t k);
 

@@ -27,7 +27,7 @@ std::string line(const Row& row) {
 
 std::string head(const Row& row) { return line(row) + line(Row(row.size(), "---")); }
 
-/// The farthest free end from the exact one on any mesh of the level, in cells.
+/// Returns the largest distance of a contact end from the exact one on any mesh of the level, in cells.
 double worst_end(const MeshLevel& level, const SolvedQuantities& exact) {
   double worst = 0;
   for (const OnMesh& mesh : level.meshes) {
@@ -38,7 +38,7 @@ double worst_end(const MeshLevel& level, const SolvedQuantities& exact) {
   return worst;
 }
 
-/// For each column an error and the rate from the level before.
+/// A table with an error for each column and its rate from the level before.
 class ErrorTable {
  public:
   using Error = std::function<double(const MeshLevel&, std::size_t)>;
@@ -79,7 +79,7 @@ std::string resultants_table(const ConvergenceCase& the_case, const ConvergenceS
   return result;
 }
 
-/// What is proved on the first mesh of each level; empty where nothing is.
+/// Returns the proved bounds on the first mesh of each level. Returns an empty text if there are none.
 std::string bounds_table(const ConvergenceCase& the_case, const ConvergenceStudy& study) {
   const std::vector<std::string> names = resultant_names(the_case.problem);
   std::string result;

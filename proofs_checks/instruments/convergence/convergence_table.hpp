@@ -1,12 +1,13 @@
 #pragma once
-// The section "Convergence tables" of docs/cost.md: errors of the solver on cells, their rates, and the exponents read
-// off the cells. Computed, not typed.
+// Computes the section "Convergence tables" of docs/cost.md: errors of the cell solver, their rates, and the exponents
+// fitted to the cells.
 
 #include <string>
 
 namespace steadyslide::proofs_checks {
 
-/// Of all problems. `quick`: the rows up to 2^9 cells of the tables of ends and resultants, and nothing else.
+/// Returns the tables of all problems. `quick` gives only the tables of ends and resultants, with the rows up to 2^9
+/// cells.
 std::string convergence_document(bool quick);
 
 }  // namespace steadyslide::proofs_checks

@@ -1,4 +1,5 @@
-// convergence-table [--quick]: prints the section "Convergence tables" of docs/cost.md. Exit code 2 for a wrong command line or a mesh not solved.
+// convergence-table [--quick]: prints the section "Convergence tables" of docs/cost.md. The exit code is 2 if the
+// command line is wrong or if a problem is not solved on a mesh.
 
 #include <cstdio>
 #include <exception>

@@ -26,7 +26,7 @@ std::string text_of(const symbolic::ExactIdentity& identity) {
   return identity.statement + ", where " + conditions;
 }
 
-/// A counterexample among the identities, or all of them as one piece of evidence.
+/// Returns a counterexample among the identities. If there is none, returns all of them as one piece of evidence.
 Evidence weigh_identities(const std::vector<symbolic::ExactIdentity>& identities, std::string detail) {
   ExactIdentity evidence{std::move(detail), {}};
   for (const symbolic::ExactIdentity& identity : identities) {
@@ -40,7 +40,7 @@ Evidence weigh_identities(const std::vector<symbolic::ExactIdentity>& identities
   return evidence;
 }
 
-/// The statements' own identities, without their controls.
+/// Returns the identities of the statements, without their wrong variants.
 std::vector<symbolic::ExactIdentity> right_identities(const Statements& chosen) {
   std::vector<symbolic::ExactIdentity> identities;
   for (const symbolic::DecidedStatement& s : chosen) identities.push_back(s.identity);
@@ -69,7 +69,7 @@ Evidence examine_right(const std::vector<Family>& families) {
       "sqrt(1+s^2)` and `i`; no number is put in");
 }
 
-/// Refuted only if it is refuted of every statement that has it.
+/// Returns a counterexample only if the variant is refuted for every statement that has it.
 Evidence examine_wrong(const Family& family, const std::string& variant) {
   std::optional<Counterexample> example;
   for (const symbolic::DecidedStatement& statement : decided_statements(family.ids)) {

@@ -1,6 +1,6 @@
 #pragma once
-// Claims whose equations the symbolic layer derives and decides: its statements as evidence, each wrong variant that it
-// has as a control of its own.
+// Claims whose equations the symbolic layer derives and decides. Its statements are the evidence, and each of their
+// wrong variants is a control.
 
 #include <string>
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace steadyslide::proofs_checks {
 
-/// Of the families of statements that the claim's text lists. Names are known without deciding anything, and are compared
-/// with the symbolic layer's when the claim is examined.
+/// Returns the claim with the families of statements that its text lists. The text alone gives the names of statements
+/// and controls. They are compared with the symbolic layer when the claim is examined.
 Claim derived(std::string_view id);
 
 }  // namespace steadyslide::proofs_checks

@@ -8,7 +8,7 @@ namespace {
 using Where = PoissonRatio::Where;
 
 CaseList<PoissonRatio> all_ratios(const Context& context) {
-  // The ends are approached: no smaller interval will do.
+  // The ends of the interval are approached within this step, so that no smaller interval agrees.
   const Rational step = tiny() / 100;
   std::vector<PoissonRatio> all{{Rational(-1) + step, Where::next_to_minus_one},
                                 {Rational(1, 2) - step, Where::next_to_one_half}};
@@ -16,7 +16,7 @@ CaseList<PoissonRatio> all_ratios(const Context& context) {
   return {std::move(all), "29 values of `nu` and random ones with seed " + std::to_string(context.seed)};
 }
 
-/// One of the ends of the interval, for what lies next to it.
+/// Adds the end of the interval that belongs to a Poisson's ratio close to -1 or to 1/2.
 void add_end(Values& values, Where where, const Rational& at_minus_one, const Rational& at_one_half) {
   if (where == Where::next_to_minus_one) values.add({"supremum", to_real<Number>(at_minus_one)});
   if (where == Where::next_to_one_half) values.add({"infimum", to_real<Number>(at_one_half)});

@@ -1,6 +1,6 @@
 #pragma once
-// The coupling constant gamma of a rigid indenter over all Poisson ratios: a formula, and the interval it fills for
-// -1 < nu < 1/2, against what Kolosov's constants give.
+// The coupling constant gamma of a rigid indenter for all Poisson's ratios. A formula, and the interval of its values
+// for -1 < nu < 1/2, are compared with the result from Kolosov's constants.
 
 #include <functional>
 #include <string>
@@ -16,16 +16,17 @@ struct PoissonRatio {
 };
 std::string text_of(const PoissonRatio& c);
 
-/// 29 values from -19/20 to 9/20, and random ones.
+/// Returns 29 values from -19/20 to 9/20, and random values.
 std::vector<Rational> poisson_ratios(const Context& context, std::string_view stream);
 
 using GammaFormula = std::function<Rational(const Rational& nu)>;
 
-/// "gamma" at every nu, "supremum" next to -1, "infimum" next to 1/2, and that gamma decreases.
+/// Returns a claim about "gamma" at every nu, "supremum" close to -1, "infimum" close to 1/2, and the decrease of
+/// gamma.
 ComparedClaim<PoissonRatio> gamma_claim(std::string id, Plane plane, GammaFormula gamma, const Rational& infimum,
                                         const Rational& supremum);
 
-/// The prediction with another formula, or another interval.
+/// Change the prediction: another formula, or another interval.
 std::function<void(Values&, const PoissonRatio&)> with_gamma(GammaFormula gamma);
 std::function<void(Values&, const PoissonRatio&)> with_range(const Rational& infimum, const Rational& supremum);
 

@@ -9,7 +9,7 @@ using numeric::UnitRule;
 
 constexpr std::size_t form_size = highest_angle + 1;
 
-/// cos(k angle), k = 0, 1, ..., from the cosine.
+/// Returns cos(k angle), k = 0, 1, ..., from the cosine of the angle.
 template <class R>
 std::vector<R> cosines(const R& cosine) {
   std::vector<R> result{R(1), cosine};
@@ -39,7 +39,7 @@ FormMatrix<R> log_form_by_quadrature(const R& length) {
       for (std::size_t m = 0; m < rule.size(); ++m) {
         const R apart = range * rule.from_left[m];
         const R other = beyond ? R(angle + apart) : R(angle - apart);
-        // |cos a - cos b| without a difference.
+        // This computes |cos a - cos b| without a subtraction.
         const R distance = length * sin(apart / 2) * sin((angle + other) / 2);
         const R weight = -range * rule.weights[m] * log(distance);
         const std::vector<R> values = cosines(R(cos(other)));
@@ -66,7 +66,7 @@ FormMatrix<R> sign_form() {
     const R angle = pi * rule.from_left[i];
     const std::vector<R> outer = cosines(R(cos(angle)));
     for (std::size_t m = 0; m < rule.size(); ++m) {
-      // theta > phi: the place of theta is left of that of phi.
+      // If theta > phi, the point x(theta) lies left of x(phi).
       const R before = angle * rule.from_left[m];
       const R after = angle + (pi - angle) * rule.from_left[m];
       const std::vector<R> right = cosines(R(cos(before)));

@@ -1,6 +1,6 @@
 #pragma once
-// Complex numbers at every precision, as far as potentials of polynomial tractions need them: std::complex is for the
-// built-in types only.
+// Complex numbers at every precision, with the functions that potentials of polynomial tractions need. std::complex is
+// for the built-in types only.
 
 #include <cmath>
 #include <vector>
@@ -32,14 +32,14 @@ Complex<R> reciprocal(const Complex<R>& a) {
   const R size = a.re * a.re + a.im * a.im;
   return {a.re / size, -a.im / size};
 }
-/// With an argument in [0, pi] for Im >= 0.
+/// Returns the logarithm, with an argument in [0, pi] for Im >= 0.
 template <class R>
 Complex<R> logarithm(const Complex<R>& a) {
   using std::atan2, std::log;
   return {log(a.re * a.re + a.im * a.im) / 2, atan2(a.im, a.re)};
 }
 
-/// An analytic function and two derivatives.
+/// The value of an analytic function and its first two derivatives.
 template <class R>
 struct Jet {
   Complex<R> value{0, 0};
@@ -60,7 +60,7 @@ Jet<R> operator*(const R& a, const Jet<R>& b) {
   return {a * b.value, a * b.first, a * b.second};
 }
 
-/// Of a polynomial, from its coefficients.
+/// Returns the jet of a polynomial from its coefficients.
 template <class R>
 Jet<R> polynomial_jet(const std::vector<R>& p, const Complex<R>& x) {
   const Jet<R> z{x, {1, 0}};

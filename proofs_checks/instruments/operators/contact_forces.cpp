@@ -11,7 +11,7 @@ std::vector<Rational> plus(std::vector<Rational> a, const std::vector<Rational>&
   return a;
 }
 
-/// sum q w + phi(w)
+/// Returns sum q w + phi(w).
 Rational functional_ii(const ContactForces& c, const std::vector<Rational>& w, const Conditions& conditions) {
   return dot(c.q, w) + conditions.functional * phi_on_nodes(c, w);
 }
@@ -35,7 +35,7 @@ Rational phi_on_nodes(const ContactForces& c, const std::vector<Rational>& w) {
 }
 
 bool holds_11(const ContactForces& c, const Conditions& conditions) {
-  // Some force is positive, since their sum is: so C can only be this one.
+  // Some force is positive, because their sum is positive. Therefore C must have this value.
   const Rational top = *std::ranges::max_element(c.v);
   return (!conditions.compressive || c.is_admissible()) &&
          (!conditions.complementary ||
@@ -45,7 +45,7 @@ bool holds_11(const ContactForces& c, const Conditions& conditions) {
 bool holds_i_by_corners(const ContactForces& c, const Conditions& conditions) {
   if (!c.is_admissible()) return false;
   if (conditions.over_all) {
-    // Linear and bounded below: zero, v constant.
+    // A linear function that is bounded below is zero: v is constant.
     return std::ranges::all_of(c.v, [&](const Rational& v) { return v == c.v[0]; });
   }
   const Rational here = dot(c.q, c.v);
@@ -91,7 +91,7 @@ ContactForces random_forces(Random& random, std::size_t k, const Rational& step)
   }
   for (Rational& tau : c.tau) tau /= sum;
 
-  // Forces in contact, none of them or some zero, and gaps elsewhere: node 0 in contact, the last one not.
+  // Forces in contact, some of them zero, and gaps elsewhere. Node 0 is in contact, the last node is not.
   std::vector<Rational> p(n, Rational(0));
   const Rational height = random.between(-2, 2);
   sum = 0;
@@ -115,7 +115,7 @@ ContactForces random_forces(Random& random, std::size_t k, const Rational& step)
     case 3: c.v[n - 1] = height + step; break;
     case 4:
       c.v[0] -= step;
-      // Someone else is in contact.
+      // Another node stays in contact.
       c.v[1] = height;
       break;
     case 5:

@@ -5,13 +5,13 @@ namespace {
 
 using numeric::Power;
 
-/// a - b from the end that is nearer.
+/// Returns a - b, computed from the distances to the nearer end.
 template <Real R>
 R apart(const Node<R>& a, const Node<R>& b) {
   return a.from_left < a.from_right ? R(a.from_left - b.from_left) : R(b.from_right - a.from_right);
 }
 
-/// On [-1, 1].
+/// Returns the nodes of a rule on [-1, 1].
 template <Real R>
 std::vector<Node<R>> nodes_of(const numeric::UnitRule<R>& rule) {
   std::vector<Node<R>> nodes;
@@ -30,7 +30,7 @@ void DisplacementOperator<R>::place_nodes(const Rational& s, int n) {
   const Exponent angle = Exponent::angle(s);
   const auto rule = numeric::jacobi_rule<R>(Power<R>::of(-(half + angle)), Power<R>::of(-(half - angle)), n);
   nodes_ = nodes_of(rule);
-  // The powers of t_0 sum to -1: an interval twice as long has the same integral.
+  // The powers of t_0 have the sum -1. Therefore the integral over an interval of twice the length is the same.
   const R amplitude = cos_pi_alpha<R>(s) / numeric::pi<R>();
   for (const R& weight : rule.weights) tau_.push_back(amplitude * weight);
 }
@@ -40,7 +40,7 @@ std::vector<R> DisplacementOperator<R>::barycentric_weights() const {
   std::vector<R> weights(size(), R(1));
   for (std::size_t i = 0; i < size(); ++i) {
     for (std::size_t j = 0; j < size(); ++j) {
-      // On an interval of length 4 the products neither grow nor fall.
+      // Scaled to an interval of length 4, on which the products neither grow nor fall.
       if (j != i) weights[i] /= 2 * apart(nodes_[i], nodes_[j]);
     }
   }
@@ -82,7 +82,7 @@ DisplacementOperator<R>::DisplacementOperator(const Rational& s, int n, const In
 
   const std::vector<R> barycentric = barycentric_weights();
   const std::vector<R> slope = derivatives(barycentric);
-  // u' at y_k from its values at the nodes.
+  // The values of u' at y_k, from those at the nodes.
   std::vector<R> slope_at_y(y.size() * count, R(0));
   for (std::size_t k = 0; k < y.size(); ++k) {
     R sum = 0;
@@ -110,7 +110,7 @@ DisplacementOperator<R>::DisplacementOperator(const Rational& s, int n, const In
       const R integral = stretch * sum / numeric::pi<R>() + here * kernel;
       force_[i * count + j] = factor * (to_real<R>(told) * here + variant.integral * integral / at_node);
     }
-    // L(u)/t_0 times the weight: the true W, whatever (10) is said to have.
+    // L(u)/t_0 times the weight. This uses the true W, also for a wrong variant of (10).
     const Exponent true_angle = Exponent::angle(s);
     const R scale = tau_[i] * numeric::pi<R>() / cosine * pow(nodes_[i].from_left, to_real<R>(half + true_angle)) *
                     pow(nodes_[i].from_right, to_real<R>(half - true_angle));

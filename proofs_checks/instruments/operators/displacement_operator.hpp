@@ -1,13 +1,13 @@
 #pragma once
-// The form of problem I on polynomials u of degree < n, given by their values at n nodes:
+// The form of problem I on polynomials u of degree < n. They are given by their values at n nodes:
 //
 //   a(v, u) = int_{-1}^1 v L(u) dx,
 //   L(u) = (1/(1+s^2)) (s u' - (1/W) (1/pi) PV int W(x') u'(x')/(x'-x) dx'),   W = (1+x)^{1/2+alpha} (1-x)^{1/2-alpha},
 //
 // [Bal16, (10)]. The nodes are Gauss's for t_0 = (cos(pi alpha)/pi)/W, so that int f t_0 = sum tau_i f(x_i) for f of
-// degree < 2n, and L(u)/t_0 is a polynomial: a(v, u) = sum v_i (force u)_i without error. Under the integral u'(x') -
-// u'(x) is a polynomial over x'-x, for Gauss's rule of W; PV int W/(x'-x) is left to the trapezoidal rule. Nothing is
-// known here of b, of its matrix on cells or of any solution.
+// degree < 2n. L(u)/t_0 is a polynomial, so that a(v, u) = sum v_i (force u)_i without error. In the integral,
+// (u'(x') - u'(x))/(x'-x) is a polynomial, which Gauss's rule for W integrates; the trapezoidal rule computes
+// PV int W/(x'-x). The form b, its matrix on cells and solutions are not used here.
 
 #include <vector>
 
@@ -16,11 +16,11 @@
 
 namespace steadyslide::proofs_checks {
 
-/// (10), or a wrong variant of it.
+/// Formula (10), or a wrong variant of it.
 struct InverseVariant {
-  int friction = 1;        ///< the sign of s, also in alpha
+  int friction = 1;        ///< sign of s, also in alpha
   bool printed = false;    ///< (1+x)^{1/2} in W
-  int integral = -1;       ///< the sign of the integral
+  int integral = -1;       ///< sign of the integral
   bool amplitude = false;  ///< 1/sqrt(1+s^2) instead of 1/(1+s^2)
 
   bool operator==(const InverseVariant&) const = default;
@@ -29,20 +29,21 @@ struct InverseVariant {
 template <class R>
 class DisplacementOperator {
  public:
-  /// n >= 2.
+  /// Takes n >= 2.
   DisplacementOperator(const Rational& s, int n, const InverseVariant& variant = {});
 
   std::size_t size() const { return tau_.size(); }
-  /// Distances from -1 and from 1.
+  /// Returns node i as its distances from -1 and from 1.
   const Node<R>& node(std::size_t i) const { return nodes_[i]; }
-  /// Weights of t_0, of sum 1.
+  /// Returns the weight of t_0 at node i; the weights have the sum 1.
   const R& tau(std::size_t i) const { return tau_[i]; }
-  /// force_ij: what the polynomial that is 1 at node j and 0 at the others has of int v L(u) for that of node i.
+  /// Returns force_ij = int v L(u), where u is the polynomial that is 1 at node j and 0 at the others, and v is that of
+  /// node i.
   const R& force(std::size_t i, std::size_t j) const { return force_[i * size() + j]; }
 
-  /// (force u)_i
+  /// Returns the forces (force u)_i.
   std::vector<R> forces(const std::vector<R>& u) const;
-  /// sum v_i (force u)_i
+  /// Returns sum v_i (force u)_i.
   R form(const std::vector<R>& v, const std::vector<R>& u) const;
 
  private:

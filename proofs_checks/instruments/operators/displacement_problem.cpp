@@ -11,7 +11,7 @@ namespace {
 
 using Index = Eigen::Index;
 
-/// Wrong where a gap is negative or a force pulls, beyond rounding.
+/// Returns the nodes at which a gap is negative or a force pulls, by more than rounding.
 std::vector<std::size_t> wrong_nodes(const DisplacementProblem::State& state, const std::vector<char>& contact,
                                      double gap_scale, double force_scale) {
   constexpr double rounding = 1e-13;
@@ -35,7 +35,7 @@ DisplacementProblem::DisplacementProblem(const Rational& s, int n, const std::fu
       profile_(formula.profile * vector_of(size(), [&](std::size_t i) { return profile(x(i)); })),
       load_(formula.load * load) {
   if (!formula.other_angle) return;
-  // (1-x)^{2 alpha}/(1+x)^{2 alpha} times the weight.
+  // The weights of -alpha: those of alpha times ((1+x)/(1-x))^{2 alpha}, scaled to the sum 1.
   const double twice = 2 * to_real<double>(Exponent::angle(s));
   tau_ = vector_of(size(), [&](std::size_t i) {
     const auto& node = operator_.node(i);
@@ -68,7 +68,7 @@ std::optional<DisplacementProblem::State> DisplacementProblem::by_active_sets(st
     state.steps = step;
     if (wrong.empty()) return state;
     for (const std::size_t i : wrong) contact[i] = contact[i] == 0 ? 1 : 0;
-    // Contact somewhere: the last of those that were let go.
+    // At least one node must stay in contact: the last one that was released.
     if (std::ranges::none_of(contact, [](char c) { return c != 0; })) contact[wrong.back()] = 1;
   }
   return std::nullopt;

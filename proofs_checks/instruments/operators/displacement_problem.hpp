@@ -1,16 +1,17 @@
 #pragma once
 // Problem I on polynomials of degree < n: find u, in the quotient by the constants, with
 //
-//   a(v - u, u) + phi(v) - phi(u) >= 0 for all v,   phi(v) = P (max_i w_i - sum_i tau_i w_i),   w = v - psi,
+//   a(v - u, u) + phi(v) - phi(u) >= 0 for all v,   phi(v) = P (max_i w_i - sum_i tau_i w_i),   w = v - psi.
 //
-// the essential supremum taken over the nodes, t_0 by its exact weights tau_i [Bal16, (13), problem I]. As phi is the
-// largest of finitely many linear functions this says: there are forces p_i >= 0 of sum P, only at nodes where w is
-// largest, with a(v, u) = sum_i (P tau_i - p_i) v_i for all v. With the gaps g_i = max w - w_i:
+// The essential supremum is taken over the nodes, and t_0 has its exact weights tau_i [Bal16, (13), problem I]. phi is
+// the largest of finitely many linear functions. Therefore the inequality states: there are forces p_i >= 0 with sum P,
+// only at nodes at which w is largest, with a(v, u) = sum_i (P tau_i - p_i) v_i for all v. With the gaps
+// g_i = max w - w_i:
 //
 //   p = P tau - force psi + force g,   p >= 0,   g >= 0,   p_i g_i = 0.
 //
-// `force` has the constants as its kernel on both sides, so that sum p = P by itself; where some g_i is zero what is
-// left of it is positive definite. Solved in double by active sets from any start, or by interior points.
+// The kernel of `force` consists of the constants on both sides, so that sum p = P automatically. If some g_i are zero,
+// the remaining matrix is positive definite. Solved in double by active sets from any start, or by interior points.
 
 #include <Eigen/Core>
 #include <functional>
@@ -20,40 +21,40 @@
 
 namespace steadyslide::proofs_checks {
 
-/// Problem I, or a wrong variant of it.
+/// The formula of problem I, or a wrong variant of it.
 struct DisplacementFormula {
   InverseVariant inverse;
-  double load = 1;           ///< factor
+  double load = 1;           ///< factor of the load
   double profile = 1;        ///< factor of psi
-  bool other_angle = false;  ///< the t_0 of -alpha in phi
+  bool other_angle = false;  ///< use t_0 of -alpha in phi
 
   bool operator==(const DisplacementFormula&) const = default;
 };
 
 class DisplacementProblem {
  public:
-  /// psi(x) on [-1, 1], reduced.
+  /// Takes the reduced profile psi(x) on [-1, 1].
   DisplacementProblem(const Rational& s, int n, const std::function<double(double)>& profile, double load,
                       const DisplacementFormula& formula = {});
 
   struct State {
     Eigen::VectorXd gap;
-    Eigen::VectorXd force;  ///< p_i
+    Eigen::VectorXd force;  ///< the forces p_i
     int steps = 0;
   };
 
   std::size_t size() const { return operator_.size(); }
   double x(std::size_t i) const { return operator_.node(i).x; }
-  /// 1: contact at the node. Nothing if it cycles.
+  /// Returns the solution from a start; `contact` is 1 at nodes in contact. Returns nothing if the active sets cycle.
   std::optional<State> by_active_sets(std::vector<char> contact) const;
-  /// Without any contact set (interior_point.hpp). Nothing if the path is lost.
+  /// Returns the solution without the use of a contact set (interior_point.hpp), or nothing if the path is lost.
   std::optional<State> by_interior_points() const;
 
-  /// a(v - u, u) + phi(v) - phi(u) for v = psi + w: >= 0 for the solution.
+  /// Returns a(v - u, u) + phi(v) - phi(u) for v = psi + w. It is >= 0 for the solution.
   double inequality(const State& state, const Eigen::VectorXd& w) const;
-  /// P (max w - sum tau w)
+  /// Returns P (max w - sum tau w).
   double phi(const Eigen::VectorXd& w) const;
-  /// int t_n T_k = -sum p_i T_k(x_i), k = 0, ..., count.
+  /// Returns int t_n T_k = -sum p_i T_k(x_i), k = 0, ..., count.
   std::vector<double> moments(const State& state, std::size_t count) const;
 
  private:

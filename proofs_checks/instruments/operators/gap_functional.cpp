@@ -9,7 +9,7 @@ namespace {
 
 using numeric::Power;
 
-/// Bernstein's coefficients of degree 3 on [left, right].
+/// Returns Bernstein's coefficients of degree 3 on [left, right].
 template <Real R>
 std::array<R, 4> bernstein(const Polynomial& p, const Rational& left, const Rational& right) {
   const Rational h = right - left;
@@ -18,7 +18,8 @@ std::array<R, 4> bernstein(const Polynomial& p, const Rational& left, const Rati
           to_real<R>(p(right))};
 }
 
-/// Is a + C <= 0 all over the interval? What is not decided at the last depth differs from 0 by rounding only.
+/// True if a + C <= 0 on the whole interval. If this is not decided at the last depth, the maximum differs from 0 only
+/// by rounding.
 template <Real R>
 bool is_nonpositive(const std::array<R, 4>& a, const R& shift, int depth) {
   if (a[0] + shift > 0 || a[3] + shift > 0) return false;
@@ -33,8 +34,8 @@ bool is_nonpositive(const std::array<R, 4>& a, const R& shift, int depth) {
          is_nonpositive<R>({middle, bcd, cd, a[3]}, shift, depth - 1);
 }
 
-/// int v/W by Gauss-Jacobi rules on panels that are cut until they are no longer than their distance from the other
-/// end.
+/// Returns int v/W by Gauss-Jacobi rules on panels. A panel is divided until it is not longer than its distance from
+/// the ends of ]-1, 1[ that are not its own.
 template <Real R>
 R on_panel(numeric::JacobiRules<R>& rules, const Rational& s, const Rational& left, const Rational& right,
            const Polynomial& v) {
@@ -50,7 +51,7 @@ R on_panel(numeric::JacobiRules<R>& rules, const Rational& s, const Rational& le
   const auto a = Power<R>::of(-(half + angle));
   const auto b = Power<R>::of(-(half - angle));
   const Power<R> none{R(0), R(1)};
-  // The error falls as 5.8^{-2n}.
+  // The error falls as 5.8^{-2n} with the number n of nodes.
   constexpr int nodes = std::same_as<R, double> ? 14 : std::same_as<R, Real50> ? 42 : 82;
   const numeric::UnitRule<R>& rule = rules.get(left == -1 ? a : none, right == 1 ? b : none, nodes);
   const R h = to_real<R>(length);
@@ -68,7 +69,7 @@ R on_panel(numeric::JacobiRules<R>& rules, const Rational& s, const Rational& le
   return scale * sum;
 }
 
-/// t_0 v, t_0 of the friction s.
+/// Returns t_0 v on the panels, with t_0 for the friction s.
 template <Real R>
 PiecewiseDensity<R> weighted(const Rational& s, const PiecewiseFunction& v) {
   const Exponent angle = Exponent::angle(s);
@@ -149,13 +150,13 @@ R supremum(const PiecewiseFunction& v) {
   for (std::size_t k = 0; k < v.pieces.size(); ++k) {
     const Polynomial& p = v.pieces[k];
     most = max({most, to_real<R>(p(v.points[k])), to_real<R>(p(v.points[k + 1]))});
-    // A maximum within: a zero of the slope c + 2 b x + a x^2, rationally decided where it is none.
+    // An inner maximum is a zero of the slope c + 2 b x + a x^2. Rational numbers decide if there is none.
     const Rational a = 3 * p.coefficient(3);
     const Rational b = p.coefficient(2);
     const Rational c = p.coefficient(1);
     const Rational discriminant = b * b - a * c;
     if (discriminant < 0 || (a == 0 && b == 0)) continue;
-    // Where the slope falls: x = -(b + sqrt)/a = c/(sqrt - b).
+    // The zero at which the slope falls: x = -(b + sqrt)/a = c/(sqrt - b).
     const R root = sqrt(to_real<R>(discriminant));
     const R x =
         b < 0 || a == 0 ? R(to_real<R>(c) / (root - to_real<R>(b))) : R(-(to_real<R>(b) + root) / to_real<R>(a));
@@ -184,7 +185,7 @@ R largest_shift(const PiecewiseFunction& v) {
 
 template <Real R>
 R pairing(const Rational& s, const PiecewiseFunction& v) {
-  // A claim pairs many functions under few frictions.
+  // A claim pairs many functions with few friction values, so the rules are kept.
   thread_local numeric::JacobiRules<R> rules;
   R sum = 0;
   for (std::size_t k = 0; k < v.pieces.size(); ++k) {

@@ -10,7 +10,7 @@ namespace {
 using numeric::Complex;
 using numeric::StressComponents;
 
-/// Coefficients of Q: of t = x^k it is sum_j zeta^(k-1-j) (b^(j+1) - a^(j+1))/(j+1).
+/// Returns the coefficients of Q. For t = x^k, Q is sum_j zeta^(k-1-j) (b^(j+1) - a^(j+1))/(j+1).
 template <Real R>
 std::vector<R> remainder_polynomial(const TractionPiece& piece) {
   std::vector<Rational> q(static_cast<std::size_t>(std::max(piece.t.degree(), 0)), Rational(0));
@@ -26,8 +26,8 @@ std::vector<R> remainder_polynomial(const TractionPiece& piece) {
   return coefficients_of<R>(Polynomial(std::move(q)));
 }
 
-/// Gauss' rule for [0, 1], made once. With so many nodes functions whose nearest pole is a length of the interval away
-/// are exact to 100 digits and more.
+/// Returns Gauss' rule for [0, 1], made once. With this number of nodes it integrates a function to 100 digits and more
+/// if its nearest pole is an interval's length away.
 template <Real R>
 const numeric::UnitRule<R>& gauss_rule() {
   static const auto rule = numeric::jacobi_rule<R>({R(0), R(1)}, {R(0), R(1)}, std::same_as<R, Real100> ? 180 : 90);
@@ -79,7 +79,7 @@ Jet<R> HalfPlaneField<R>::jet(const std::vector<Piece>& pieces, const Complex<R>
     const Complex<R> left = zeta - Complex<R>{piece.from, 0};
     const R length = piece.to - piece.from;
     if (right.re * right.re + right.im * right.im > 16 * length * length) {
-      // Far away the logarithm and Q cancel: there the integral by Gauss' rule.
+      // Far away the logarithm and Q cancel. There Gauss' rule computes the integral.
       for (std::size_t i = 0; i < piece.places.size(); ++i) {
         const Complex<R> pole = reciprocal(Complex<R>{piece.places[i] - zeta.re, -zeta.im});
         const Complex<R> square = pole * pole;
@@ -136,7 +136,8 @@ R HalfPlaneField<R>::tangential_slope(const R& x) const {
   return strain_xx(stress(x, R(0)));
 }
 
-/// z = scale y/(1-y), the scale between the distances of the nearest and the farthest end: they lie at +-i distance.
+/// Uses z = scale y/(1-y). The poles lie at +-i times the distances of the ends; the scale is between the smallest and
+/// the largest distance.
 template <class R>
 R HalfPlaneField<R>::normal_slope(const R& x) const {
   using std::abs, std::sqrt;

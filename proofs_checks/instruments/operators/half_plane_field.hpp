@@ -1,11 +1,13 @@
 #pragma once
-// The field in the half-plane z > 0 of tractions that are polynomials on intervals of the surface, for the claims about
-// surface displacements: the potentials have exact integrals. On [a, b], with L = log((b-zeta)/(a-zeta)),
+// The stress field in the half-plane z > 0 under tractions that are polynomials on intervals of the surface, for the
+// claims about surface displacements. The integrals of the potentials are exact. On [a, b], with
+// L = log((b-zeta)/(a-zeta)),
 //
 //   C(zeta) = (1/pi) int_a^b t/(x'-zeta) dx' = (t(zeta) L + Q(zeta))/pi,   Q = int_a^b (t(x')-t(zeta))/(x'-zeta) dx',
 //
-// Q a polynomial, zeta = x + iz, the arguments of the logarithm in [0, pi]: on the surface the limit from within the
-// body. Stresses as in half_plane_stress.hpp, strains by Hooke's law in plane strain.
+// where Q is a polynomial and zeta = x + iz. The arguments of the logarithm are in [0, pi]; at the surface this is the
+// limit from inside the body. Stresses are those of half_plane_stress.hpp, strains follow from Hooke's law in plane
+// strain.
 
 #include <vector>
 
@@ -23,7 +25,7 @@ struct TractionPiece {
   Rational to;
   Polynomial t;
 };
-/// From left to right, without gaps; zero elsewhere.
+/// Pieces from left to right, without gaps between them. The traction is zero elsewhere.
 using PiecewiseTraction = std::vector<TractionPiece>;
 
 template <class R>
@@ -32,28 +34,29 @@ PiecewiseDensity<R> density_of(const PiecewiseTraction& traction);
 template <class R>
 class HalfPlaneField {
  public:
-  /// Tractions t_n and t_t on the surface of a body.
+  /// Takes the tractions t_n and t_t on the surface of a body.
   HalfPlaneField(const Solid& body, const PiecewiseTraction& normal, const PiecewiseTraction& tangential);
 
-  /// z >= 0; on the surface inside an interval or outside of all.
+  /// Returns the stresses for z >= 0. On the surface, x must lie inside an interval or outside all of them.
   numeric::StressComponents<R> stress(const R& x, const R& z) const;
-  /// Derivatives of the stresses with respect to x.
+  /// Returns the derivatives of the stresses with respect to x.
   numeric::StressComponents<R> stress_rate(const R& x, const R& z) const;
-  /// The radial fields of all forces t dx', added up by a Gauss rule: z > 0 not small.
+  /// Returns the sum of the radial fields of all forces t dx', by a Gauss rule. z > 0 must not be small.
   numeric::StressComponents<R> superposed_stress(const R& x, const R& z) const;
 
-  /// u_t' = epsilon_xx on the surface, at x inside an interval.
+  /// Returns u_t' = epsilon_xx on the surface, at x inside an interval.
   R tangential_slope(const R& x) const;
-  /// u_n' = -d u_z/dx = int_0^oo d epsilon_zz/dx dz: the strains alone, and a rotation that vanishes deep below.
+  /// Returns u_n' = -d u_z/dx = int_0^oo d epsilon_zz/dx dz. This uses only the strains, and a rotation that vanishes
+  /// at great depth.
   R normal_slope(const R& x) const;
 
  private:
   struct Piece {
     R from;
     R to;
-    std::vector<R> t;       ///< coefficients
-    std::vector<R> q;       ///< of Q
-    std::vector<R> places;  ///< of Gauss' rule
+    std::vector<R> t;       ///< coefficients of the traction
+    std::vector<R> q;       ///< coefficients of Q
+    std::vector<R> places;  ///< nodes of Gauss' rule
     std::vector<R> forces;
   };
   static std::vector<Piece> pieces_of(const PiecewiseTraction& traction);

@@ -5,7 +5,7 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-/// 1/W at a node of a panel; if not `whole`, without the power of a panel end at -1 or 1.
+/// Returns 1/W at a node of a panel. If `whole` is false, the power of a panel end at -1 or 1 is left out.
 template <Real R>
 R inverse_weight(const InverseFormula& formula, const SlopePanel<R>& panel, const Node<R>& node, bool whole) {
   using std::pow;
@@ -22,7 +22,7 @@ PiecewiseDensity<R> over_weight(const InverseFormula& formula, const std::vector
   PiecewiseDensity<R> density;
   for (std::size_t k = 0; k < slope.size(); ++k) {
     const SlopePanel<R>& panel = slope[k];
-    // Where u' is smooth the weight brings the power of an end of ]-1, 1[.
+    // The weight contributes the power at an end of ]-1, 1[, because u' is smooth there.
     const auto left = k == 0 ? numeric::Power<R>::of(-formula.rear) : panel.at_left;
     const auto right = k + 1 == slope.size() ? numeric::Power<R>::of(-formula.front) : panel.at_right;
     density.push_back({{panel.left, R(panel.left + panel.length), panel.length}, left, right, [=](const Node<R>& node) {
@@ -32,7 +32,7 @@ PiecewiseDensity<R> over_weight(const InverseFormula& formula, const std::vector
   return density;
 }
 
-/// c_n of (1+w)^p (1-w)^q = sum c_n w^n.
+/// Returns the coefficients c_n of (1+w)^p (1-w)^q = sum c_n w^n.
 template <Real R>
 std::vector<R> binomial_product(const R& p, const R& q, std::size_t count) {
   std::vector<R> a{R(1)};
@@ -94,7 +94,7 @@ JacobiTraction<R> inverse_without_integral(const Rational& s, const Polynomial& 
   const Exponent alpha = Exponent::angle(s);
   const std::vector<R> u = coefficients_of<R>(slope);
   const std::vector<R> series = binomial_product<R>(to_real<R>(half + alpha), to_real<R>(half - alpha), u.size() + 2);
-  // Coefficients of 1, z, ... of z (sum u_k z^k) (sum series_n z^-n).
+  // The coefficients of 1, z, ... in z (sum u_k z^k) (sum series_n z^-n).
   std::vector<R> q(u.size() + 1, R(0));
   for (std::size_t k = 0; k < u.size(); ++k) {
     for (std::size_t n = 0; n <= k + 1; ++n) q[k + 1 - n] += cos_pi_alpha<R>(s) * u[k] * series[n];

@@ -1,9 +1,9 @@
 #pragma once
-// The inverse of A under one friction value on ]-1, 1[, as the paper says it [Bal16, (10)],
+// The inverse of A for one friction value on ]-1, 1[, in the paper's form [Bal16, (10)],
 //
 //   L(u) = local u' - integral W(x) (1/pi) PV int u'(x')/(W(x') (x'-x)) dx',   W = (1+x)^rear (1-x)^front,
 //
-// with principal values by quadrature; beside it the closed form of its values for a polynomial u'.
+// Principal values are computed by quadrature. For a polynomial u' there is also the closed form of the values.
 
 #include "model/polynomial.hpp"
 #include "proofs_checks/instruments/tractions/jacobi_traction.hpp"
@@ -20,7 +20,7 @@ struct InverseFormula {
   static InverseFormula of(const Rational& s);
 };
 
-/// u' on the panels of ]-1, 1[, panel by panel: a power of the distance to each end times a smooth function.
+/// u' on one panel of ]-1, 1[: a power of the distance to each end times a smooth function.
 template <class R>
 struct SlopePanel {
   R left;
@@ -30,14 +30,14 @@ struct SlopePanel {
   std::function<R(const Node<R>&)> smooth;
 };
 
-/// L(u) at one point, by its terms.
+/// The two terms of L(u) at one point.
 template <class R>
 struct InverseTerms {
   R local;
   R integral;
 
   R sum() const { return local - integral; }
-  /// |L(u) - expected| over the larger of the two terms and `expected`.
+  /// Returns |L(u) - expected| divided by the largest of the two terms and `expected`.
   double difference(const R& expected) const;
 };
 
@@ -49,7 +49,7 @@ class InverseOperator {
   InverseOperator(const Rational& s, std::vector<SlopePanel<R>> slope)
       : InverseOperator(InverseFormula::of(s), std::move(slope)) {}
 
-  /// Halfway between two samples, where principal values need no new ones.
+  /// Returns a point halfway between two samples, where a principal value needs no new samples.
   PanelPoint<R> point(std::size_t panel, const R& fraction) const { return grid_.midpoint_near(panel, fraction); }
   InverseTerms<R> terms(const PanelPoint<R>& at) const { return terms(at, grid_.hilbert(at)); }
   InverseTerms<R> terms_by_tanh_sinh(const PanelPoint<R>& at) const;
@@ -60,10 +60,10 @@ class InverseOperator {
 
   InverseFormula formula_;
   std::vector<SlopePanel<R>> slope_;
-  trapezoidal::Grid<R> grid_;  ///< of u'/W
+  trapezoidal::Grid<R> grid_;  ///< samples of u'/W
 };
 
-/// cos(pi alpha) W Q, Q the polynomial part at infinity of u' (z+1)^{1/2+alpha} (z-1)^{1/2-alpha}.
+/// Returns cos(pi alpha) W Q, where Q is the polynomial part at infinity of u' (z+1)^{1/2+alpha} (z-1)^{1/2-alpha}.
 template <Real R>
 JacobiTraction<R> inverse_without_integral(const Rational& s, const Polynomial& slope);
 

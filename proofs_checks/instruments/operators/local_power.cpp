@@ -6,33 +6,35 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-/// S(p) for 0 < p < 1; `below_one` is 1 - p, which would cancel next to 1. S is odd.
+/// Returns S(p) for 0 < p < 1. `below_one` is 1 - p, given separately to avoid cancellation close to 1. S is odd.
 template <Real R>
 R half_line_integral(const R& p, const R& below_one) {
   using std::exp, std::expm1, std::log, std::sinh;
-  // The integrand is analytic for |Im tau| < pi: the rule's error is exp(-2 pi^2/h), which is chosen below rounding.
+  // The integrand is analytic for |Im tau| < pi. Therefore the error of the rule is exp(-2 pi^2/h); h is chosen so that
+  // it is below rounding.
   const R depth = 5 - log(numeric::epsilon<R>());
   const R h = 2 * numeric::pi<R>() * numeric::pi<R>() / depth;
   R sum = p;
   R tau = h;
   for (; 2 * tau < depth; tau += h) sum += 2 * sinh(R(p * tau)) / sinh(tau);
-  // Beyond, sinh(tau) is exp(tau)/2, and the terms are two geometric series.
+  // For larger tau, sinh(tau) is exp(tau)/2, and the terms are two geometric series.
   const auto series = [&](const R& rate) { return R(-exp(R(-rate * tau)) / expm1(R(-rate * h))); };
   sum += 2 * (series(below_one) - series(R(1 + p)));
   return sum * h / numeric::pi<R>();
 }
 
-/// m(p) and n(p), 0 < |p| < 1.
+/// The values m(p) and n(p), 0 < |p| < 1.
 template <class R>
 struct Symbol {
   R m;
   R n;
-  R difference;  ///< n^2 - m^2, formed without cancellation
+  R difference;  ///< n^2 - m^2, computed without cancellation
 };
 
 template <Real R>
 Symbol<R> local_symbol(const R& p) {
-  // Of the place in ]-1, 0[: what lies above it and below it, each without cancellation.
+  // The power in ]-1, 0[ is p or p - 1. `above` is its distance from 0, `below` its distance from -1, both without
+  // cancellation.
   const R above = p < 0 ? R(-p) : R(1 - p);
   const R below = p < 0 ? R(1 + p) : p;
   const R sum = half_line_integral<R>(below, above);
@@ -41,21 +43,21 @@ Symbol<R> local_symbol(const R& p) {
   return {R((sum + rest) / 2), p < 0 ? n : R(-n), R(-sum * rest)};
 }
 
-/// The residual of the equation at y = 1 for a density on one side.
+/// Returns the residual of the equation at y = 1 for a density on one side.
 template <Real R>
 R end_residual(Side contact, const R& s, const R& p) {
   const R m = local_symbol(p).m;
   return contact == Side::right ? R(s + m) : R(s - m);
 }
 
-/// The determinant of the equations at y = 1 and y = -1 for the two amplitudes.
+/// Returns the determinant of the equations at y = 1 and y = -1 for the two amplitudes.
 template <Real R>
 R jump_residual(const R& s_left, const R& s_right, const R& p) {
   const Symbol<R> at = local_symbol(p);
   return s_left * s_right + at.m * (s_left - s_right) + at.difference;
 }
 
-/// A change of sign between the two places, halved down to rounding.
+/// Returns a change of sign between low and high, by bisection down to rounding.
 template <class F>
 double bisected(const F& residual, double low, double high) {
   const bool sign = residual(low) > 0;
@@ -66,7 +68,7 @@ double bisected(const F& residual, double low, double high) {
   return low + (high - low) / 2;
 }
 
-/// Secants from a root in double.
+/// Returns the root to all digits, by secants from a root in double.
 template <Real R, class F>
 R refined(const F& residual, double root) {
   using std::abs;

@@ -10,7 +10,7 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-/// On forces of N equal cells of a unit interval.
+/// Returns the form of the forces on N equal cells of a unit interval.
 Eigen::MatrixXd form_on_cells(std::size_t cells) {
   const CellFrictionSteps none{{0, 0}, {0}};
   const CellMesh mesh(cell_problem(none), cells);
@@ -19,7 +19,7 @@ Eigen::MatrixXd form_on_cells(std::size_t cells) {
 
 double least_eigenvalue(const Eigen::MatrixXd& form, Eigen::Index k = 0) { return eigenvalues(form)(k); }
 
-/// Of t with int t = 1.
+/// Returns the least energy of t with int t = 1.
 double least_energy(const Eigen::MatrixXd& form) {
   return 1 / linear_solution(form, Eigen::VectorXd::Ones(form.rows())).sum();
 }
@@ -44,7 +44,8 @@ Values definiteness(const Length& length) {
           {"zero mean", zero_mean}};
 }
 
-/// The energy in the limit, and how fast it is reached: by differences of meshes one of which is twice as fine.
+/// Adds the critical length from the limit of the energy, and its rate of convergence. The rate is measured by the
+/// differences between a mesh and the mesh with twice as many cells.
 void add_least_energy(Values& values) {
   std::vector<Level> levels;
   double fine = 0;

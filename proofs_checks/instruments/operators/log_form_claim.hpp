@@ -3,8 +3,8 @@
 //
 //   pi^2 log(critical/L) c_0 d_0 + sum_k>=1 first pi^2/k^power c_k d_k,
 //
-// positive definite where L < critical, and on zero mean for every L. Its coefficients are found by quadrature in both
-// angles; whether it is positive, and its least value for int t = 1, on cells. [Bal16, section 3.1]
+// It is positive definite if L < critical, and on zero mean for every L. The coefficients are measured by quadrature in
+// both angles. The signs, and the least value for int t = 1, are measured on cells. [Bal16, section 3.1]
 
 #include "proofs_checks/kit/claim_builder.hpp"
 
@@ -12,26 +12,28 @@ namespace steadyslide::proofs_checks {
 
 struct Length {
   Rational value;
-  bool is_first;  ///< of the claim: the least value on cells does not depend on it
+  /// True for the claim's first length. The least value on cells does not depend on the length and is measured there
+  /// only.
+  bool is_first;
 };
 
 std::string text_of(const Length& length);
 
-/// The formula's constants; a claim's wrong variants have other ones.
+/// The constants of the formula. Wrong variants of a claim have other values.
 struct LogForm {
   Rational critical = 4;
   Rational first{1, 2};
   int power = 1;
 };
 
-/// What it predicts for a length.
+/// Returns the prediction of the formula for a length.
 Values predicted_by(const LogForm& form, const Length& length);
-/// A wrong variant, for ComparedClaim::wrong.
+/// Returns a wrong variant, for ComparedClaim::wrong.
 inline auto predicts(const LogForm& form) {
   return [form](Values& p, const Length& length) { p = predicted_by(form, length); };
 }
 
-/// With near misses, without wrong variants.
+/// Returns the claim with its near misses, without wrong variants.
 ComparedClaim<Length> log_form_claim(std::string id, std::vector<Rational> lengths);
 
 }  // namespace steadyslide::proofs_checks

@@ -15,7 +15,7 @@ namespace {
 
 double chebyshev(std::size_t k, double x) { return std::cos(static_cast<double>(k) * std::acos(x)); }
 
-/// int T_k.
+/// Returns the antiderivative of T_k at x.
 double chebyshev_integral(std::size_t k, double x) {
   const double n = static_cast<double>(k);
   if (k == 0) return x;

@@ -1,10 +1,12 @@
 #pragma once
-// One problem with constant friction, three times: problem I on polynomials, problem I0 on cells, and by
-// Riemann-Hilbert. They are compared by the moments int t_n T_k, k = 1, ..., 8, of Chebyshev's polynomials, in the norm
+// Solves one problem with constant friction in three ways: problem I on polynomials, problem I0 on cells, and by
+// Riemann-Hilbert. The solutions are compared by the moments int t_n T_k, k = 1, ..., 8, of Chebyshev's polynomials, in
+// the norm
 //
-//   |t|^2 = (2/pi) sum_k (int t T_k)^2/k,
+//   |t|^2 = (2/pi) sum_k (int t T_k)^2/k.
 //
-// that of H^{-1/2} on a traction of zero mean, from -(1/pi) log|x-y| = (1/pi) log 2 + (2/pi) sum_k T_k(x) T_k(y)/k.
+// This is the norm of H^{-1/2} on a traction of zero mean, because
+// -(1/pi) log|x-y| = (1/pi) log 2 + (2/pi) sum_k T_k(x) T_k(y)/k.
 
 #include <map>
 
@@ -17,33 +19,34 @@ namespace steadyslide::proofs_checks {
 
 inline constexpr std::size_t compared_moments = 8;
 
-/// Reduced, on [-1, 1]; s < 0: sliding towards -x.
+/// A reduced problem on [-1, 1]; s < 0 means sliding towards -x.
 struct DualCase {
   std::string name;
   Rational s;
   Polynomial profile;
   Rational load;
-  double cells_rate;  ///< with which problem I0 on cells converges: 1 with an edge, 2 with free ends alone
+  /// Rate of convergence of problem I0 on cells: 1 with an edge, 2 with free ends only.
+  double cells_rate;
 
   ContactProblem problem(int friction_sign = 1) const;
   std::function<double(double)> height() const;
 };
 
-/// A parabola with two free ends; one with an edge at the rear and one at the front, either direction; two wells. In a
-/// quick run the first two.
+/// Returns the cases: a parabola with two free ends; one with an edge at the rear, sliding towards +x; one with an edge
+/// at the front, sliding towards -x; two wells. A quick run has the first two.
 std::vector<DualCase> dual_cases(const Context& context);
 
 using Moments = std::vector<double>;
-/// The norm above of a difference, over the load.
+/// Returns the distance of two sets of moments in the norm above, divided by the load.
 double distance(const Moments& a, const Moments& b, double load);
 
-/// In double. Throws std::runtime_error where a problem is not solved on cells or polynomials, Refutation where not by
-/// its singular functions.
+/// Return the moments in double. Throw std::runtime_error if the problem is not solved on cells or polynomials, and
+/// Refutation if it is not solved by singular functions.
 Moments riemann_hilbert_moments(const ContactProblem& problem);
 Moments cell_moments(const ContactProblem& problem, std::size_t cells);
 Moments displacement_moments(const DualCase& c, int n, const DisplacementFormula& formula = {});
 
-/// Moments of dual_cases(), found once for a claim and its controls.
+/// The moments of dual_cases(), computed once for a claim and its controls.
 class KnownMoments {
  public:
   const Moments& exact(const DualCase& c) {
@@ -58,7 +61,7 @@ class KnownMoments {
   }
 
  private:
-  /// Which of the three, the case, the size and the friction's sign.
+  /// The method (one of the three), the case, the size and the sign of the friction.
   using Key = std::tuple<int, std::string, int, int>;
   template <class Make>
   const Moments& known(const Key& key, const Make& make) {
@@ -69,8 +72,8 @@ class KnownMoments {
   std::map<Key, Moments> moments_;
 };
 
-/// Root mean squares of the distance of moments(n) to reference(n) over `meshes` neighbouring sizes n, `first` being a
-/// level's first one.
+/// Returns the root mean square of the distance of moments(n) from reference(n) over `meshes` consecutive sizes n.
+/// `first` holds the first size of each level.
 template <class Solve, class Reference>
 std::vector<Level> levels_of(const std::vector<int>& first, int meshes, double load, const Solve& moments,
                              const Reference& reference) {

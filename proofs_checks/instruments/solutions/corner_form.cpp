@@ -11,8 +11,8 @@ template <class R>
 struct SolvedAtCorner {
   Solved<R> solution;
   R x;      ///< c
-  R theta;  ///< 0 where the friction does not jump
-  R limit;  ///< of B at c
+  R theta;  ///< 0 if the friction does not jump
+  R limit;  ///< limit of B at c
   std::size_t j = 0;
 };
 
@@ -26,18 +26,18 @@ SolvedAtCorner<R> solve_corner(const SolvedCorner& c) {
     found.limit = c.has_jump() ? R(-found.theta) : point.constant.value;
     return found;
   }
-  // Only the curvature jumps: there is a value, and no entry in the list of singular points.
+  // Only the curvature jumps. The list of singular points has no entry then, so the value of the traction is used.
   found.limit = found.solution->at(corner).traction.right.value;
   return found;
 }
 
-/// psi'_+ - psi'_- over c, as polynomials, at x.
+/// Returns psi'_+ - psi'_- at x, with the polynomials on the two sides of c.
 template <Real R>
 R difference_of_slopes(const ContactProblem& problem, const R& c, const R& x) {
   return slope<R>(problem, R(c + 1), x) - slope<R>(problem, R(c - 1), x);
 }
 
-/// B at the distance d from c.
+/// Returns B at the distance d from c.
 template <Real R>
 R regular_part(const SolvedAtCorner<R>& at_corner, const CornerForm& said, Side side, const R& d) {
   using std::log, std::pow;
@@ -63,7 +63,7 @@ void check_regular_part(Findings& findings, const SolvedAtCorner<R>& at_corner, 
   const auto compare = [&](const char* name, const R& a, const R& b) {
     findings.compare(name, a, b, max({R(abs(a)), R(abs(b)), R(1)}));
   };
-  // A limit below 1 is compared with an error of 1: so is what moves it.
+  // A limit below 1 in size is compared with an absolute error of 1. A near miss moves it in the same unit.
   const R limit =
       at_corner.limit + R(said.limit - 1) * max(R(abs(at_corner.limit)), R(1)) * (at_corner.limit < 0 ? -1 : 1);
   compare("at c", extrapolated(left, 0), limit);
@@ -74,7 +74,7 @@ void check_regular_part(Findings& findings, const SolvedAtCorner<R>& at_corner, 
   }
 }
 
-/// The signs that t <= 0 forces.
+/// Requires the signs that follow from t <= 0.
 template <Real R>
 void check_signs(Findings& findings, const SolvedAtCorner<R>& at_corner, const CornerForm& said,
                  const SolvedCorner& c) {
@@ -111,8 +111,8 @@ FormulaClaim<SolvedCorner, CornerForm> corner_claim(std::string id, std::vector<
         const SolvedAtCorner<R>& at_corner = kept->at(c, [&] { return solve_corner<R>(c); });
         check_regular_part(findings, at_corner, form);
         check_signs(findings, at_corner, form, c);
-        // What is continued across c is the solver's own form: that it satisfies the equation, another rule says. In a
-        // quick run in double: that rule costs more than all else.
+        // The form that is continued across c comes from the solver. Another rule checks that it satisfies the
+        // equation. A quick run does this in double, because this rule costs more than the rest of the check.
         if (context.quick) {
           check_equation(findings, solve<double>(c.problem)->form());
         } else {

@@ -1,6 +1,6 @@
 #pragma once
-// The places where a function changes from rising to falling or back, from its values and differences alone: a pressure
-// between two singular points, analytic between them.
+// Finds the extremes of a function from its values and differences alone. The function is a pressure between two
+// singular points, and analytic there.
 
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
@@ -9,7 +9,7 @@
 
 namespace steadyslide::proofs_checks {
 
-/// In ]from, to[, from left to right. f(x) is asked for at places that lie dense towards both ends.
+/// Returns the extremes in ]from, to[ from left to right. Evaluates f at points that are dense towards both ends.
 template <Real R, class F>
 std::vector<R> extremes_between(const F& f, const R& from, const R& to) {
   using std::min, std::sin;

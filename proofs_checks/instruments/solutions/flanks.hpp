@@ -1,6 +1,6 @@
 #pragma once
-// Indenters of two flanks that meet at `corner`, polynomials in x - corner, over [-4, 4]; E = 1. On them
-// wedges in the contact are examined. [Bal16, theorems 2, 9]
+// Indenters of two flanks that meet at `corner`, polynomials in x - corner, over [-4, 4]; E = 1. They serve the claims
+// about wedges in the contact. [Bal16, theorems 2, 9]
 
 #include "model/contact_problem.hpp"
 
@@ -14,7 +14,7 @@ inline ContactProblem flanks(FrictionProfile friction, const Polynomial& left, c
           Indenter(-4, {{corner, left.composed(1, -corner)}, {4, right.composed(1, -corner)}}), load};
 }
 
-/// psi'(c+) - psi'(c-) at the profile's first break, reduced; 0 if it has none.
+/// Returns psi'(c+) - psi'(c-), reduced, at the profile's first break. Returns 0 if there is none.
 inline Rational wedge_of(const ContactProblem& problem) {
   const std::vector<Indenter::Break> breaks = problem.indenter().breaks();
   return breaks.empty() ? Rational(0) : breaks.front().wedge / problem.elasticity().compliance();

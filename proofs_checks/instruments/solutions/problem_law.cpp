@@ -12,8 +12,8 @@ namespace {
 
 const std::vector<std::string> routes{"solution of the changed problem", "solution changed by the law"};
 
-/// At this part of the last component, to a 1000th; the jumps of random problems have other denominators. Throws
-/// Refutation if nothing is solved.
+/// Returns the point at this part of the last contact component, rounded to 1/1000 and shifted by 1/10007. Friction
+/// jumps of random problems have other denominators. Throws Refutation if the problem is not solved.
 Rational place_in_contact(const ContactProblem& problem, double part) {
   const auto solution = numeric::riemann_hilbert<double>(problem).solution;
   if (!solution) throw Refutation{{"a problem to be changed", "not solved"}};
@@ -33,7 +33,7 @@ ContactProblem changed_problem(const ContactProblem& problem, const Law& law) {
       .with_indenter(Indenter(scaled.left(), {{scaled.right(), scaled.pieces().front().profile + law.lift}}));
 }
 
-/// With a jump of friction in the contact: where there is none, mirrors know no difference.
+/// Returns a problem with a friction jump in the contact. Without a jump a wrong mirror law would not be noticed.
 ContactProblem random_problem(Random& random, std::size_t k) {
   CellFrictionSteps steps = random_steps(random, Trend::any, 2, 2);
   if (k % 2 == 1) steps = mirrored(steps);
@@ -42,7 +42,7 @@ ContactProblem random_problem(Random& random, std::size_t k) {
   return problem.with_jump(place_in_contact(problem, 0.4), random.between(Rational(1, 2), 1));
 }
 
-/// Two runs round differently.
+/// Two solutions round differently, so double has a larger tolerance.
 template <Real R>
 const double allowed = std::same_as<R, double> ? 1e-9 : tolerance<R>();
 constexpr double allowed_on_cells = 1e-11;
@@ -64,7 +64,7 @@ void check_exactly(Findings& findings, const ContactProblem& problem, const Cont
     std::ranges::reverse(after);
     for (auto& component : after) std::swap(component.left, component.right);
   }
-  /// |found - factor from| over the size of the right one and of `least`.
+  /// Compares the difference |found - factor from| with |factor| (least + |from|).
   const auto compare = [&](const Quantity& quantity, const R& found, const Rational& factor, const R& from,
                            const R& least) {
     const R f = to_real<R>(factor);
@@ -81,7 +81,7 @@ void check_exactly(Findings& findings, const ContactProblem& problem, const Cont
   }
   const R load = to_real<R>(problem.load());
   const Rational width = problem.indenter().right() - problem.indenter().left();
-  // Over the whole support, none of the places a singular one.
+  // Points on the whole support, none of which is singular.
   for (int i = 0; i < 7; ++i) {
     const Rational x = problem.indenter().left() + width * (2 * i + 1) / 14 + Rational(i % 3 - 1, 10'007);
     const numeric::Sample<R> here = a->at(x);
@@ -104,7 +104,7 @@ void check_on_cells(Findings& findings, const ContactProblem& problem, const Con
   const double factor = to_real<double>(law.traction) * (law.missed_on_cells ? 1 + 10 * allowed_on_cells : 1.0);
   const Rational width = problem.indenter().right() - problem.indenter().left();
   for (std::size_t i = 0; i < cells; ++i) {
-    // In the middle of a cell.
+    // The middle of a cell.
     const Rational x = problem.indenter().left() + width * static_cast<long>(2 * i + 1) / static_cast<long>(2 * cells);
     const double t = factor * a->at(x).traction.left.value;
     const double found = b->at(law.scale * x + law.shift).traction.left.value;

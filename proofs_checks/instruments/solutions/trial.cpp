@@ -7,7 +7,7 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-/// Which piece of the profile lies around a place.
+/// Returns the piece of the profile around a point.
 template <Real R>
 const Polynomial& piece_around(const ContactProblem& problem, const R& x) {
   const auto& pieces = problem.indenter().pieces();
@@ -105,7 +105,7 @@ template <Real R>
 PiecewiseDensity<R> density_of(const TractionRepresentation<R>& form, const numeric::FundamentalSolution<R>& weight,
                                const Bracket<R>& bracket) {
   PiecewiseDensity<R> density;
-  // At a wedge a power that vanishes lies below the constant or the logarithm.
+  // At a wedge a vanishing power is smaller than the constant or the logarithm, so it is not the leading one.
   const auto leading = [&](std::size_t j) {
     const numeric::Power<R>& p = weight.powers()[j];
     return form.changes_polynomial(j) && p.value > 0 ? numeric::Power<R>{R(0), R(1)} : p;

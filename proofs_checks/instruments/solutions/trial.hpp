@@ -1,6 +1,6 @@
 #pragma once
-// Contact sets on which the Riemann-Hilbert form is tried: any set, whether or not it is the solution's, and solved
-// problems. What the profile and the friction are is read from the problem here, not from the solver.
+// Contact sets for checks of the Riemann-Hilbert form: arbitrary sets, which need not belong to a solution, and solved
+// problems. Profile and friction are read from the problem here, not from the solver.
 
 #include <memory>
 
@@ -20,30 +20,31 @@ using numeric::TractionRepresentation;
 struct Trial {
   std::string name;
   ContactProblem problem;
-  std::vector<ContactInterval> zones;  ///< in xi of frame()
-  std::vector<Rational> q;             ///< as many of them as the form has coefficients are used
+  std::vector<ContactInterval> zones;  ///< in the coordinate xi of frame()
+  std::vector<Rational> q;             ///< the form uses the first ones, as many as it has coefficients
   Rational tilt;
 
   static Frame frame() { return {Rational(1, 8), 2}; }
   static double in_frame(const Rational& x) { return to_real<double>((x - frame().origin) / frame().unit); }
 };
 
-/// Everywhere one polynomial and any ends; a wedge; a wedge and jump; steps; up to three components. The cheap ones
-/// first, `random` random ones last. At more than 16 digits a quick run has two of them: one component, and two or, if
-/// `corners`, a corner.
+/// Returns the cases: one polynomial everywhere and any ends; a wedge; a wedge and a friction jump; steps; up to three
+/// components. Cheap cases come first, `random` random ones last. A quick run with more than 16 digits has two cases:
+/// one component, and two components or, with `corners`, a corner.
 std::function<CaseList<Trial>(const Context&)> trials(std::string stream, const CountByDigits& random,
                                                       bool corners = false);
 std::string text_of(const Trial& trial);
-/// A component under a friction jump for every pair: is there an edge at its left end, at its right one?
+/// Returns a trial with one component over a friction jump for each pair. The pair states if the left end and the right
+/// end are edges.
 Trial with_ends(const std::vector<std::pair<bool, bool>>& edges);
 
-/// psi/c and psi'/c in the user's x, on the piece around another place.
+/// Return psi/c and psi'/c at x in the user's units, with the profile's piece around another point.
 template <Real R>
 R height(const ContactProblem& problem, const R& around, const R& x);
 template <Real R>
 R slope(const ContactProblem& problem, const R& around, const R& x);
 
-/// The form of a trial, with all that it points to.
+/// The form of a trial. It owns the data that the form points to.
 template <class R>
 class TrialForm {
  public:
@@ -52,7 +53,7 @@ class TrialForm {
   TrialForm& operator=(const TrialForm&) = delete;
 
   const TractionRepresentation<R>& form() const { return *form_; }
-  /// On another contact set, or with another tilt.
+  /// Returns the form on another contact set or with another tilt.
   TractionRepresentation<R> form_on(ContactSet<R> set, const R& tilt) const;
 
  private:
@@ -62,18 +63,20 @@ class TrialForm {
   std::optional<TractionRepresentation<R>> form_;
 };
 
-/// The coefficient of z^power of u'/c = Y (m_0/z + m_1/z^2 + ... + q/pi) at infinity.
+/// Returns the coefficient of z^power of u'/c = Y (m_0/z + m_1/z^2 + ... + q/pi) at infinity.
 template <Real R>
 R coefficient_at_infinity(const TractionRepresentation<R>& form, int power);
-/// Those of z^0, z^1, ...: none for a solution. What t leaves of psi'/c is A t = psi'/c + tilt - these.
+/// Returns the coefficients of z^0, z^1, ... For a solution they are zero. In general A t = psi'/c + tilt - (the
+/// polynomial with these coefficients).
 template <Real R>
 std::vector<R> excess(const TractionRepresentation<R>& form);
 
-/// The size of int |t|: int t may vanish.
+/// Returns an estimate of int |t|, the scale for int t, which may vanish.
 template <Real R>
 R load_scale(const TractionRepresentation<R>& form);
 
-/// t = bracket |Y|, Y from `weight`, panel by panel of the contact; segments_of says which they are.
+/// The factor in t = bracket |Y|; `weight` gives Y. Density panels are the contact's segments in order, see
+/// segments_of.
 template <class R>
 using Bracket = std::function<R(std::size_t segment, const Node<R>&)>;
 template <Real R>
@@ -81,20 +84,21 @@ PiecewiseDensity<R> density_of(const TractionRepresentation<R>& form, const nume
                                const Bracket<R>& bracket);
 template <Real R>
 std::vector<std::size_t> segments_of(const TractionRepresentation<R>& form);
-/// s of the contact's panels, as formulas have it: s_of().
+/// Returns s on the contact's panels in the convention of formulas, s_of().
 template <Real R>
 std::vector<R> friction_of(const TractionRepresentation<R>& form);
 
-/// The largest error of A t = psi'/c on the contact of a solution, from 1e-6 of each segment's length on, by the trapezoidal
-/// rule, which knows nothing of the form; s and psi from the problem's data.
+/// Returns the largest error of A t = psi'/c on the contact of a solution, at distances of at least 1e-6 of a segment's
+/// length from its ends. The trapezoidal rule computes A t and does not use the form; s and psi come from the problem's
+/// data.
 template <Real R>
 R equation_error(const TractionRepresentation<R>& solution);
-/// That a solution is one.
+/// Checks that a solution satisfies the equation.
 template <Real R>
 void check_equation(Findings& findings, const TractionRepresentation<R>& solution);
 
-/// The analytic function with values f_1, ..., f_n at -h, ..., -nh, at `to` times h. With so many values at distances
-/// so small the error stays far below the tolerance.
+/// Returns the value at `to` h of the analytic function with the values f_1, ..., f_n at -h, ..., -nh. With this number
+/// of values at such small distances the error stays far below the tolerance.
 template <Real R>
 R extrapolated(const std::vector<R>& f, int to);
 template <Real R>

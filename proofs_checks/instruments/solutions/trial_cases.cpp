@@ -8,7 +8,7 @@ ContactProblem problem(const Rational& nu, FrictionProfile friction, std::vector
   return {Elasticity(Solid(nu, 1)), std::move(friction), Indenter(-4, std::move(pieces)), Rational(3, 2), sliding};
 }
 
-/// `kinks`: the profile's slope changes in the contact.
+/// Returns a random trial. With `kinks` the profile's slope may change in the contact.
 Trial random_trial(Random& random, std::size_t components, bool kinks) {
   std::vector<Rational> friction{random.friction(3)};
   std::vector<Rational> jumps;
@@ -17,7 +17,7 @@ Trial random_trial(Random& random, std::size_t components, bool kinks) {
                       random.between(Rational(-1, 16), Rational(1, 16)), random.between(Rational(-1, 64), 0)});
   std::vector<ContactInterval> zones;
   const Rational width(8, static_cast<long>(components));
-  // A break with a step, so that contact may end there with an edge.
+  // Adds a break with a step to the profile, so that the contact may end there with an edge.
   const auto step = [&](const Rational& x) {
     pieces.push_back({x, profile});
     profile = profile + Polynomial({random.between(-1, 1)});

@@ -1,6 +1,6 @@
 #pragma once
-// The traction size cos(pi alpha)/pi (1+x)^{-(1/2+alpha)} (1-x)^{-(1/2-alpha)} put into A t = 0 and int t: of the punch
-// under its load, size = -P, [Bal16, (4)]; of t_0, size = 1, [Bal16, (8)].
+// The traction size cos(pi alpha)/pi (1+x)^{-(1/2+alpha)} (1-x)^{-(1/2-alpha)} in A t = 0 and in int t. For the punch
+// under its load size = -P, [Bal16, (4)]; for t_0 size = 1, [Bal16, (8)].
 
 #include <string>
 

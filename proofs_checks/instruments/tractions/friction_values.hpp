@@ -1,5 +1,5 @@
 #pragma once
-// Values of s = gamma f at which a calculation under one friction value is examined.
+// Values of s = gamma f for claims with one friction value.
 
 #include "proofs_checks/kit/cases.hpp"
 
@@ -12,7 +12,7 @@ struct FrictionValue {
 inline std::string text_of(const FrictionValue& friction) { return "s = " + to_string(friction.s); }
 inline bool is_coupled(const FrictionValue& friction) { return friction.s != 0; }
 
-/// Four fixed ones (one in a quick run) and a random one.
+/// Returns four fixed values and a random one. A quick run has one fixed value.
 inline CaseList<FrictionValue> friction_values(const Context& context, std::string_view stream) {
   std::vector<FrictionValue> all{{Rational(4, 7)}};
   if (!context.quick) all.insert(all.end(), {{0}, {Rational(3, 2)}, {Rational(-1, 3)}});
@@ -22,7 +22,7 @@ inline CaseList<FrictionValue> friction_values(const Context& context, std::stri
           std::to_string(all.size()) + " values of `s`, the last random with seed " + std::to_string(context.seed)};
 }
 
-/// Fixed and random ones of either sign, as both directions of sliding have it; a single random one in a quick run.
+/// Returns fixed and random values of both signs, for both directions of sliding. A quick run has one random value.
 inline CaseList<FrictionValue> frictions_of_both_signs(const Context& context, std::string_view stream) {
   std::vector<FrictionValue> all{{Rational(-3, 4)}, {2}, {0}, {Rational(1, 10)}, {10}};
   Random random(context.seed, stream);

@@ -9,7 +9,7 @@ namespace {
 
 using numeric::Power;
 
-/// int_{-1}^1 (1+x)^left (1-x)^right f(x) dx, f a polynomial of degree below 2 nodes.
+/// Returns int_{-1}^1 (1+x)^left (1-x)^right f(x) dx, exact if f is a polynomial of degree below 2 nodes.
 template <class R, class F>
 R gauss_jacobi(const Power<R>& left, const Power<R>& right, int nodes, const F& f) {
   using std::pow;
@@ -24,8 +24,9 @@ Power<R> raised(const Power<R>& p) {
   return {p.plus_one - R(1) / 2, p.plus_one + R(1) / 2};
 }
 
-/// v for t_hat = x^m. By parts: int x^m log|x-y| dx is (x^{m+1} - y^{m+1}) log|x-y|/(m+1) at the ends less the integral
-/// of (x^{m+1} - y^{m+1})/((m+1) (x-y)), a polynomial; and x^{m+1} - y^{m+1} = (x-y) sum_j x^j y^{m-j}.
+/// Returns v for t_hat = x^m, by partial integration. int x^m log|x-y| dx is (x^{m+1} - y^{m+1}) log|x-y|/(m+1) at the
+/// ends minus the integral of (x^{m+1} - y^{m+1})/((m+1) (x-y)). The latter is a polynomial, because
+/// x^{m+1} - y^{m+1} = (x-y) sum_j x^j y^{m-j}.
 template <class R>
 R potential_of_power(const R& s, int m, const Node<R>& node) {
   using std::log;
@@ -40,7 +41,7 @@ R potential_of_power(const R& s, int m, const Node<R>& node) {
     if (j % 2 == 0) rest += 2 * power / (j + 1);
     power *= y;
   }
-  // power = y^{m+1}; (1 - y) and (-1 - y) from the distances.
+  // Now power = y^{m+1}. The factors (1 - y) and (-1 - y) come from the distances.
   const R logarithm =
       (node.from_right * at_right * log(node.from_right) + node.from_left * at_left * log(node.from_left) - rest) /
       (m + 1);

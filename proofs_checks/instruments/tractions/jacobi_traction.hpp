@@ -1,13 +1,14 @@
 #pragma once
 // Tractions t = (1+x)^left (1-x)^right factor(x) on ]-1, 1[, factor a polynomial, and the form
 //
-//   b(t, t_hat) = int t v dx,   v(y) = int t_hat(x) (-(1/pi) log|x-y| + (s/2) sgn(x-y)) dx,
+//   b(t, t_hat) = int t v dx,   v(y) = int t_hat(x) (-(1/pi) log|x-y| + (s/2) sgn(x-y)) dx.
 //
-// with v in closed form: for t_hat = T_k/sqrt(1-x^2), y = cos theta, k >= 1
+// v has a closed form. For t_hat = T_k/sqrt(1-x^2), y = cos theta, k >= 1 it is
 //
 //   v = (cos(k theta) + s sin(k theta))/k = (T_k(y) + s U_{k-1}(y) sqrt(1-y^2))/k,
 //
-// which Gauss-Jacobi rules integrate without error; and for t_hat = x^m by elementary functions. [Bal16, section 3.1]
+// and Gauss-Jacobi rules integrate t v without error. For t_hat = x^m it consists of elementary functions.
+// [Bal16, section 3.1]
 
 #include <vector>
 
@@ -24,13 +25,13 @@ struct JacobiTraction {
 
 template <class R>
 PanelDensity<R> density_of(const JacobiTraction<R>& t);
-/// int t by tanh-sinh.
+/// Returns int t by tanh-sinh.
 template <class R>
 R integral(const JacobiTraction<R>& t);
-/// b(t, T_k/sqrt(1-x^2)), k >= 1.
+/// Returns b(t, T_k/sqrt(1-x^2)), k >= 1.
 template <class R>
 R form_with_chebyshev(const JacobiTraction<R>& t, const R& s, int k);
-/// b(t, x^m) by tanh-sinh.
+/// Returns b(t, x^m) by tanh-sinh.
 template <class R>
 R form_with_power(const JacobiTraction<R>& t, const R& s, int m);
 

@@ -73,7 +73,7 @@ void check_parabola(Findings& findings, const ParabolaTraction& t, const Contact
 
 namespace {
 
-/// Ends may lie anywhere near the vertex: the contact's width is the measure.
+/// Compares both ends. The unit is the width of the contact, because an end may lie anywhere near the vertex.
 template <Real R>
 void compare_ends(Findings& findings, const Quantity& quantity, const PowerForm<R>& form, const R& left,
                   const R& right) {
@@ -103,13 +103,14 @@ template <Real R>
 void check_parabola_by_cln(Findings& findings, const ParabolaTraction& t, const ContactProblem& problem) {
   const PowerForm<R> form = t.at<R>();
   const Quantity ends{"ends of the contact, in CLN", {"the formula", "Newton's method in CLN"}, tolerance<R>()};
-  // Next to a free end that all but touches a jump the traction is as ill-conditioned as their distance is small.
+  // If a free end almost touches a friction jump, the condition number of the traction is the inverse of their
+  // distance.
   const Quantity values{"values of the traction, in CLN, times shortest panel over width",
                         {"the formula", "closed form in CLN"},
                         tolerance<R>()};
   const R conditioning = std::ranges::min(form.lengths) / (form.points().back() - form.left_end);
   const Rational vertex = vertex_of(problem);
-  // CLN rounds its ends in the user's x: with the vertex far away digits go there.
+  // CLN rounds the ends in the user's x. If the vertex is far away, this costs digits.
   const auto zones = symbolic::ClnClosedForm::parabola(problem, numeric::digits_served<R> + 15);
   findings.require(zones.size() == 1, "CLN finds " + std::to_string(zones.size()) + " contact zones");
   compare_ends(findings, ends, form, to_real<R>(zones[0].left().value - vertex),

@@ -1,14 +1,14 @@
 #pragma once
-// A traction t = amplitude_k prod_j |x - e_j|^{p_j}, amplitude_k on the panel between e_k and e_{k+1}, as a formula
-// says it: a value of one type whatever the precision of the check, open to be changed by a wrong variant.
+// A formula's traction t = amplitude_k prod_j |x - e_j|^{p_j}, with amplitude_k on the panel between e_k and e_{k+1}.
+// The value has the same type at every precision of the check, and a wrong variant can change it.
 
 #include "numeric/cauchy/power_traction.hpp"
 #include "proofs_checks/kit/values.hpp"
 
 namespace steadyslide::proofs_checks {
 
-/// The traction in the numbers of a check.
-// (Not constrained: g++ 12 takes no constrained templates as template arguments.)
+/// The traction in the number type of a check.
+// Not constrained, because g++ 12 does not accept constrained templates as template arguments.
 template <class R>
 struct PowerForm {
   R left_end;
@@ -32,9 +32,9 @@ struct PowerProduct {
   std::vector<Number> lengths;      ///< of the panels
   std::vector<Exponent> exponents;  ///< exact
   std::vector<Number> amplitudes;   ///< of the panels
-  std::vector<Number> moved = {};   ///< added to the exponents by near misses
+  std::vector<Number> moved = {};   ///< near misses add these to the exponents
 
-  /// On exactly known points.
+  /// Returns the product on exactly known points.
   static PowerProduct on(const std::vector<Rational>& points, std::vector<Exponent> exponents,
                          std::vector<Number> amplitudes) {
     PowerProduct product{to_real<Number>(points.front()), {}, std::move(exponents), std::move(amplitudes)};

@@ -1,6 +1,6 @@
 #pragma once
-// What the traction of a flat punch in full contact carries: integrals of the closed form over its panels, by the
-// tanh-sinh rule. They know nothing of the surface beside the punch.
+// The forces that the traction of a flat punch in full contact carries: integrals of the closed form over its panels,
+// by the tanh-sinh rule. They do not use the surface outside of the punch.
 
 #include <vector>
 
@@ -9,15 +9,15 @@
 
 namespace steadyslide::proofs_checks {
 
-// (Not constrained: g++ 12 takes no constrained templates as template arguments.)
+// Not constrained, because g++ 12 does not accept constrained templates as template arguments.
 template <class R>
 struct PunchLoads {
-  std::vector<R> share;  ///< of the load, under each friction value
-  R friction;            ///< effective coefficient: f by load
-  R centre;              ///< of pressure, in the user's x
+  std::vector<R> share;  ///< load shares under each friction value
+  R friction;            ///< effective coefficient of friction: mean of f, weighted with the load
+  R centre;              ///< centre of pressure, in the user's x
 };
 
-/// Throws std::logic_error unless the problem is a flat punch that keeps its attitude.
+/// Returns the loads. Throws std::logic_error unless the problem is a flat punch that keeps its attitude.
 template <Real R>
 PunchLoads<R> punch_loads(const ContactProblem& punch);
 

@@ -16,7 +16,7 @@ double load_error(const Surface<R>& surface, const R& integral) {
   return static_cast<double>(R(abs(integral - surface.integral) / scale));
 }
 
-/// All panels have a length, all powers are above -1: or a traction cannot be sampled.
+/// Requires that all panels have a length and all powers are above -1. Otherwise the traction cannot be sampled.
 template <Real R>
 void require_integrable(Findings& findings, const Surface<R>& surface) {
   for (const PanelDensity<R>& panel : surface.traction) {
@@ -51,8 +51,9 @@ trapezoidal::Grid<R> check_surface(Findings& findings, const Surface<R>& surface
   const Quantity equation_2{"`A t = u'/c`, tanh-sinh rule",
                             {"`(1/pi) PV int t/(x'-x) dx'` with the pole subtracted", "`u'/c - s t`"},
                             allowed};
-  // The equation before the load: it is blind to a factor, and nothing else may hide behind the load.
-  // Numerators over 10^6: exact at every precision.
+  // The equation is checked before the load. It does not notice a factor of the traction. Only such a factor may be
+  // left to the load.
+  // Numerators over 10^6, so that the fractions are exact at every precision.
   constexpr std::array<int, 9> fractions{1, 999'999, 500'000, 100, 10'000, 250'000, 800'000, 990'000, 999'900};
   using Operator = numeric::SlidingOperator<R>;
   const Operator A(grid, surface.s);
