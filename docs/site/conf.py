@@ -1,4 +1,4 @@
-"""How Sphinx builds the site; docs/site/build calls it. The pages are made ready by stage.py and generate.py."""
+"""Configuration of Sphinx for the site. docs/site/build calls Sphinx after stage.py and generate.py have written the pages."""
 
 import os
 import sys
@@ -16,7 +16,7 @@ extensions = ["myst_parser", "breathe", "sphinx.ext.autodoc", "typeset", "mend"]
 root_doc = "index"
 highlight_language = "none"
 
-# Anchors as GitHub has them, formulas between dollars.
+# Anchors have the form of GitHub's; formulas stand between dollars.
 myst_heading_anchors = 4
 myst_enable_extensions = ["dollarmath"]
 myst_dmath_double_inline = True

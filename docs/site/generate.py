@@ -1,7 +1,7 @@
-"""generate.py PROGRAM OUTPUT: the pages that the program itself writes, into OUTPUT/pages.
+"""generate.py PROGRAM OUTPUT: writes the pages that the program generates, into OUTPUT/pages.
 
 command-line.md from its help, gallery.md from the examples and `figures`, schema.md and verify-schema.md from the JSON schemas,
-statements.md, entries.md and reading-notes.md from `verify --format json`. Nothing of it is typed by hand.
+statements.md, entries.md and reading-notes.md from `verify --format json`. No part of them is written by hand.
 """
 
 import json
@@ -27,8 +27,8 @@ def run(*arguments, executable=program):
 
 
 def command_line():
-    """The help of the program and of each of its commands."""
-    text = ["# The command line", "What the program says of itself with `--help`."]
+    """Returns the page with the help of the program and of each of its commands."""
+    text = ["# The command line", "The output of `--help`."]
     help_text = run("--help")
     commands = re.findall(r"^  ([a-z]+)  ", help_text.split("Subcommands:")[1].split("\n\n")[0], re.MULTILINE)
     for name, answer in [("steadyslide", help_text)] + [(f"steadyslide {one}", run(one, "--help")) for one in commands]:
@@ -40,7 +40,7 @@ def command_line():
 
 
 def example(path):
-    """A picture, the question that the file answers, and the file."""
+    """Returns a picture, the question that a problem file answers, and the file."""
     comment = [line.removeprefix("#").strip() for line in path.read_text(encoding="utf-8").splitlines() if line[:1] == "#"]
     data = "\n".join(line for line in path.read_text(encoding="utf-8").splitlines() if line[:1] != "#").strip()
     words = [line for line in comment[1:] if line and not line.startswith("steadyslide ")]
@@ -52,7 +52,7 @@ def example(path):
 
 
 def figures():
-    """The figures of the theory; docs/engineers.md has a table of what each shows."""
+    """Returns the figures of the theory. docs/engineers.md has a table of their subjects."""
     run("figures", "-o", str(pages / "gallery"))
     text = ["## Figures of the theory", "Drawn by `steadyslide figures`; [what can be relied on](engineers.md#what-can-be-relied-on)."]
     table = (root / "docs/engineers.md").read_text(encoding="utf-8").split("\n## Figures\n")[1]
@@ -74,7 +74,7 @@ def gallery():
 
 
 def ledger():
-    """`verify --quick --format json`, with the report of the same run; kept as long as the program is the same."""
+    """Returns the output of `verify --quick --format json` and writes the report of the same run. The result is kept until the program changes."""
     kept = output / "verify.json"
     report = output / "report"
     if not kept.exists() or not report.exists() or kept.stat().st_mtime < program.stat().st_mtime:

@@ -1,4 +1,4 @@
-"""What Debian's furo and Sphinx leave to mend: pages that are opened as files, read with a keyboard or by a screen reader."""
+"""Mends pages of Debian's furo and Sphinx for readers who open them as files, use a keyboard or a screen reader."""
 
 import re
 from pathlib import Path
@@ -7,9 +7,9 @@ NORMALIZE = Path("/usr/share/javascript/normalize.css/normalize.css")
 
 
 def mend_page(_app, _page, _template, context, _doctree):
-    # A module of JavaScript, which a browser does not load as a plain script. It only turns colours by hand and marks headings.
+    # A browser does not load a JavaScript module from a file. This module only switches colours and marks headings.
     context["script_files"] = [script for script in context["script_files"] if "furo.js" not in script]
-    # A heading has a level; what scrolls sideways can be reached with the keyboard.
+    # Headings get a level; boxes that scroll sideways can be reached with the keyboard.
     if "furo_navigation_tree" in context:
         context["furo_navigation_tree"] = context["furo_navigation_tree"].replace('role="heading"', 'role="heading" aria-level="2"')
     if "body" in context:
@@ -18,7 +18,7 @@ def mend_page(_app, _page, _template, context, _doctree):
 
 
 def mend_styles(app, exception):
-    # A sheet is asked for under a web server's /javascript: it comes along.
+    # A page loads a style sheet from a web server's /javascript: copy it.
     if exception or app.builder.format != "html":
         return
     sheet = Path(app.outdir) / "_static" / "styles" / "furo.css"

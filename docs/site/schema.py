@@ -1,16 +1,16 @@
-"""The page of a JSON schema: one table for each definition."""
+"""Writes the page of a JSON schema: one table for each definition."""
 
 import json
 import re
 
 
 def linked(text):
-    """With links to the pages that it names."""
+    """Returns a text with links to the pages that it names."""
     return re.sub(r"\b(\w+\.md)\b", r"[\1](\1)", text)
 
 
 def kind(rule):
-    """What a value may be, with links to definitions."""
+    """Returns the description of a value, with links to definitions."""
     if "$ref" in rule:
         name = rule["$ref"].rsplit("/", 1)[1]
         return f"[{name}](#{name})"

@@ -1,7 +1,7 @@
 """stage.py TARGET [--explorer]: the pages of the repository as one tree for Sphinx.
 
-docs/ becomes the root, other pages keep their places; a link is rewritten to where its target comes to lie, and files that
-pages link to come along. So the same text is read on the site and in a checkout.
+Pages in docs/ move to the root of the tree; other pages keep their places. Links are rewritten to the new places, and files that pages
+link to are copied. So the site and a checkout have the same text.
 """
 
 import os
@@ -17,12 +17,12 @@ LINK = re.compile(r"(\]\(|^\[[^\]]+\]: )([^)#\s:]+)(#[^)\s]*)?(?=[)\s])", re.MUL
 
 
 def staged(path):
-    """Where a file of the repository comes to lie."""
+    """Returns the place of a repository file in the tree."""
     return path.removeprefix("docs/")
 
 
 def relinked(page, text, files):
-    """The text with its links rewritten; what they lead to beside pages is added to `files`."""
+    """Returns the text with its links rewritten. Adds targets that are not pages to `files`."""
     def rewrite(match):
         target = os.path.normpath(os.path.join(os.path.dirname(page), match[2]))
         if (root / target).is_dir() and (root / target / "README.md").exists():
@@ -37,7 +37,7 @@ def relinked(page, text, files):
 
 
 def shown(text, explorer):
-    """The text with what only the site shows: comments, so that the rest reads well where the site's own pages are not."""
+    """Returns the text with the parts for the site alone. In the repository these parts are comments."""
     kinds = "on the site|with the explorer" if explorer else "on the site"
     return re.sub(rf"^<!-- (?:{kinds}):\n(.*?)^-->\n", r"\1", text, flags=re.MULTILINE | re.DOTALL)
 

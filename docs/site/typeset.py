@@ -1,4 +1,4 @@
-"""Formulas: KaTeX sets them while the site is built, so that a page needs no script and no network to show them."""
+"""Typesets formulas by KaTeX while the site is built. So a page needs no script and no network to show them."""
 
 import json
 import re
@@ -10,7 +10,7 @@ KATEX = Path("/usr/share/javascript/katex")  # Debian's libjs-katex
 
 
 class Typesetter:
-    """One process of node for the whole site; a line in, a line out."""
+    """One process of node for the whole site. It reads a line and answers with a line."""
 
     def __init__(self):
         self.process = subprocess.Popen(["node", str(Path(__file__).with_name("typeset.js")), str(KATEX / "katex.js")],
@@ -36,7 +36,7 @@ def visit_math(self, node, display=False):
 
 
 def escape_docstring(_app, _what, _name, _object, _options, lines):
-    """Docstrings here are plain text: no mark of theirs is one of reStructuredText's."""
+    """Docstrings are plain text: their characters are not reStructuredText."""
     lines[:] = [re.sub(r"([*`|\\]|_\b|(?<=\w):(?=\w))", r"\\\1", line) for line in lines]
 
 

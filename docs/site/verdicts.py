@@ -1,5 +1,5 @@
-"""Pages of the ledger: statements of the paper with their verdicts, entries with their proofs, reading notes. What they say is in
-`verify --format json` twice, in letters and as HTML with formulas as MathML: here it is put in order."""
+"""Writes the pages of the ledger: statements of the paper with verdicts, entries with proofs, reading notes. Their texts come from
+`verify --format json`, which has each text in plain letters and as HTML with formulas as MathML."""
 
 import html
 from collections import Counter
@@ -22,7 +22,7 @@ def links(page, ids, prefix=""):
 
 
 def table(heads, rows):
-    """Of HTML, without the columns in which no row has anything."""
+    """Returns a table in HTML without columns that are empty in every row."""
     kept = [k for k in range(len(heads)) if any(row[k] for row in rows)]
     lines = ["".join(f'<td data-label="{heads[k]}">{row[k]}</td>' for k in kept) for row in rows]
     head = "".join(f'<th scope="col">{heads[k]}</th>' for k in kept)
@@ -32,7 +32,7 @@ def table(heads, rows):
 
 
 def notes_of(found):
-    """The reading notes of each entry."""
+    """Returns the reading notes of each entry."""
     notes = {}
     for note in found["reading_notes"]:
         notes.setdefault(note["claim"], []).append(note["id"])
@@ -60,7 +60,7 @@ def statements(found):
 
 
 def tree(proof):
-    """The proof as nested lists, from what it concludes down; a fact shown before is named only."""
+    """Returns the proof as nested lists, from its conclusion down. A fact that was shown before has its name alone."""
     steps, shown = proof["steps"], set()
     places = {step["fact"]: k for k, step in enumerate(steps)}
 
