@@ -73,7 +73,7 @@ endforeach()
 
 # Comments are sentences: what a function returns, takes and throws. A newcomer stumbles over the rest.
 set(first_words "What|Where|Whether|Is|Does|Of|Without")
-set(phrases "[a-z] is told [a-z]|tells of|is asked for|is one all the same|whoever|asked of the|all the same[.,;]")
+set(phrases "is told|tells of|is asked for|is one all the same|whoever|asked of the|all the same[.,;]")
 file(GLOB_RECURSE sources RELATIVE "${SOURCE}" LIST_DIRECTORIES false "${SOURCE}/*.?pp" "${SOURCE}/*.md" "${SOURCE}/app/help/*.txt")
 foreach(file IN LISTS sources)
   if(file MATCHES "^(build/|CHANGELOG)")
