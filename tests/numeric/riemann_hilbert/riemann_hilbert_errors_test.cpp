@@ -85,6 +85,35 @@ TEST_CASE("wedge and jump: the constant D/[s] and the intensity keep their digit
   check_constant(corner<Real50>(problem), problem);
 }
 
+TEST_CASE("a wedge: intensity and constant of a singular point are those of the traction beside it") {
+  for (const char* friction : {"0", "0.2", "0.9"}) {
+    for (const char* further : {"0", "0.4"}) {  // without a friction jump, and with one
+      CAPTURE(friction);
+      CAPTURE(further);
+      const Rational f = parse_rational(friction);
+      const auto solution = riemann_hilbert<Real50>(wedge_and_jump(f + parse_rational(further), f)).solution;
+      const std::vector<SolvedSingularPoint<Real50>> points = solution->singular_points();
+      const auto corner =
+          std::ranges::find_if(points, [](const auto& point) { return local_terms(point.kind).slope_jumps; });
+      REQUIRE(corner != points.end());
+      // At the distances d, 2d and 4d on the left; t = constant + intensity log(d)/pi, or constant + amplitude d^power.
+      std::array<Real50, 3> t;
+      for (int k = 0; k < 3; ++k) t[k] = solution->at(Rational(-(1 << k), 1000000000000)).traction.left.value;
+      const auto near = [](const Real50& found, const Real50& expected) {
+        return abs(found - expected) <= Real50(1e-9) * abs(expected);
+      };
+      if (local_terms(corner->kind).has_logarithm) {
+        const Real50 intensity = (t[1] - t[0]) * pi<Real50>() / log(Real50(2));
+        CHECK(near(corner->intensity.value, intensity));
+        CHECK(near(corner->constant.value,
+                   t[0] - intensity * log(to_real<Real50>(Rational(1, 1000000000000))) / pi<Real50>()));
+      } else {
+        CHECK(near(corner->constant.value, (t[0] * t[2] - t[1] * t[1]) / (t[0] + t[2] - 2 * t[1])));
+      }
+    }
+  }
+}
+
 TEST_CASE("free ends: what they are off by is covered by every estimate") {
   for (const ContactProblem& problem : with_free_ends()) {
     const auto truth = riemann_hilbert<Real50>(problem).solution;
