@@ -62,8 +62,8 @@ std::optional<MathSymbol> found(const Symbols& symbols, std::string_view name) {
   return symbol == symbols.end() ? std::nullopt : std::optional(symbol->second);
 }
 
-/// Matches blanks, then a number (12, 0.5, 1.9490..., 3e-52), a name, a sign or the end of the text. If two signs begin
-/// alike, the longer one comes first. << and >> are duality brackets.
+/// Matches blanks, then a number (12, 0.5, 1.9490..., 3e-52), a name, a sign or the end of the text. If two signs have
+/// the same beginning, the longer one comes first. << and >> are duality brackets.
 const std::regex& token() {
   static const std::regex all(
       R"(([ \n\t]*)(?:(\d+(?:\.\d+)?(?:e[-+]?\d+(?![A-Za-z\d]))?)|([A-Za-z]+)|)"

@@ -233,8 +233,8 @@ class IndenterReader {
   std::size_t cost_ = 0;
 };
 
-/// `whole`: load and friction are required. `alike`: a problem with the same [indenter].
-Punch read(const Value& root, const std::string& name, bool whole, const Problem* alike = nullptr) {
+/// `whole`: load and friction are required. `same_indenter`: null, or a problem with the same [indenter].
+Punch read(const Value& root, const std::string& name, bool whole, const Problem* same_indenter = nullptr) {
   const ProblemReader reader(root, name);
   reader.check_keys("", {"load", "load_at", "sliding", "half_space", "friction", "indenter"});
   const bool has_load = whole || reader.find("load") != nullptr;
@@ -245,8 +245,9 @@ Punch read(const Value& root, const std::string& name, bool whole, const Problem
       reader.choice<Sliding>("sliding", "unknown direction", {"+x", Sliding::plus_x}, {"-x", Sliding::minus_x});
   Elasticity elasticity = read_elasticity(reader);
   FrictionProfile friction = has_friction ? read_friction(reader) : FrictionProfile({0});
-  ReadIndenter indenter =
-      alike != nullptr ? ReadIndenter{alike->contact.indenter(), alike->measured} : IndenterReader(reader, name).read();
+  ReadIndenter indenter = same_indenter != nullptr
+                              ? ReadIndenter{same_indenter->contact.indenter(), same_indenter->measured}
+                              : IndenterReader(reader, name).read();
   try {
     ContactProblem contact(std::move(elasticity), std::move(friction), std::move(indenter.shape), load, sliding,
                            load_at);
@@ -260,8 +261,8 @@ Punch read(const Value& root, const std::string& name, bool whole, const Problem
 
 }  // namespace
 
-Problem problem_of(const Value& document, const std::string& name, const Problem* alike) {
-  return read(document, name, true, alike).problem;
+Problem problem_of(const Value& document, const std::string& name, const Problem* same_indenter) {
+  return read(document, name, true, same_indenter).problem;
 }
 
 Problem parse_problem(std::string_view text, const std::string& name) {

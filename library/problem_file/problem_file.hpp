@@ -34,9 +34,9 @@ struct Problem {
 /// Reads a trace, too, if the file has samples; its path is relative to `name`. Throws InvalidFile.
 Problem parse_problem(std::string_view text, const std::string& name);
 
-/// The same for a document that is already parsed. `alike`: a problem with the same [indenter]; its profile is used and
-/// not read again.
-Problem problem_of(const Value& document, const std::string& name, const Problem* alike = nullptr);
+/// The same for a document that is already parsed. `same_indenter`: null, or a problem with the same [indenter]
+/// table; then its profile is used and not read again.
+Problem problem_of(const Value& document, const std::string& name, const Problem* same_indenter = nullptr);
 
 /// Reads a file, or the standard input for "-". Throws InvalidFile and UnreadableFile.
 Problem read_problem(const std::string& name);

@@ -113,8 +113,8 @@ std::string distance_text(const std::string& text, const enclosure::Ball& ball) 
   return upper_text(abs(read - ball));
 }
 
-/// Returns the largest number of digits, at most `digits`, to which all numbers in the ball round alike; 0 if there is
-/// none.
+/// Returns the largest number of digits, at most `digits`, to which rounding gives the same result for every
+/// number in the ball; 0 if there is none.
 int common_digits(const enclosure::Ball& ball, int digits) {
   if (ball.contains_zero()) return ball.is_zero() ? digits : 0;
   const enclosure::Ball low = ball.lower();

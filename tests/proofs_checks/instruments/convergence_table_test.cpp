@@ -90,6 +90,7 @@ TEST_CASE("docs/cost.md holds the rows of a quick run") {
   CHECK(until_first_table(document) == until_first_table(checked_in()));
 }
 
+// Skipped here because it takes minutes; the slow test convergence_all_rows runs it.
 TEST_CASE("docs/cost.md holds all that is computed (slow)" * doctest::skip()) {
   const Tables computed = tables_of(convergence_document(false)), held = tables_of(checked_in());
   CHECK(computed.size() == held.size());
