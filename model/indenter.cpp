@@ -20,6 +20,13 @@ Indenter::Indenter(const Rational& left, std::vector<Piece> pieces) : left_(left
     }
     previous = pieces_[k].to;
   }
+  std::vector<Break> breaks;
+  for (std::size_t k = 0; k + 1 < pieces_.size(); ++k) {
+    const Rational& x = pieces_[k].to;
+    const Polynomial difference = pieces_[k + 1].profile - pieces_[k].profile;
+    breaks.push_back({x, difference(x), difference.derivative()(x)});
+  }
+  breaks_ = std::make_shared<const std::vector<Break>>(std::move(breaks));
 }
 
 const Polynomial& Indenter::profile(const Rational& x, Side side) const {
@@ -29,24 +36,13 @@ const Polynomial& Indenter::profile(const Rational& x, Side side) const {
   return std::lower_bound(pieces_.begin(), pieces_.end() - 1, x, ends_before)->profile;
 }
 
-std::vector<Indenter::Break> Indenter::breaks() const {
-  std::vector<Break> result;
-  for (std::size_t k = 0; k + 1 < pieces_.size(); ++k) {
-    const Rational& x = pieces_[k].to;
-    const Polynomial difference = pieces_[k + 1].profile - pieces_[k].profile;
-    result.push_back({x, difference(x), difference.derivative()(x)});
-  }
-  return result;
-}
-
 Indenter::Break Indenter::Break::reduced(const Rational& origin, const Rational& unit,
                                          const Rational& compliance) const {
   return {(x - origin) / unit, step / (compliance * unit), wedge / compliance};
 }
 
 bool Indenter::is_smooth() const {
-  const std::vector<Break> all = breaks();
-  return std::all_of(all.begin(), all.end(), [](const Break& b) { return b.step == 0 && b.wedge == 0; });
+  return std::all_of(breaks_->begin(), breaks_->end(), [](const Break& b) { return b.step == 0 && b.wedge == 0; });
 }
 
 Indenter Indenter::moved(const Rational& scale, const Rational& shift) const {

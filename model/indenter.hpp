@@ -2,6 +2,7 @@
 // The indenter's shape psi(x) on its support, positive upwards, away from the body: -z = psi(x). It is piecewise
 // polynomial. Where two pieces meet, the slope may jump (a wedge) and the value may jump (a step). [Bal16, section 2]
 
+#include <memory>
 #include <vector>
 
 #include "model/direction.hpp"
@@ -37,7 +38,7 @@ class Indenter {
     /// Returns the break in the coordinate (x - origin)/unit, for heights psi/(compliance unit).
     Break reduced(const Rational& origin, const Rational& unit, const Rational& compliance) const;
   };
-  std::vector<Break> breaks() const;
+  const std::vector<Break>& breaks() const { return *breaks_; }
   /// True if the profile has neither a wedge nor a step.
   bool is_smooth() const;
 
@@ -46,11 +47,12 @@ class Indenter {
   Indenter moved(const Rational& scale, const Rational& shift) const;
   /// psi times `factor`.
   Indenter scaled(const Rational& factor) const;
-  friend bool operator==(const Indenter&, const Indenter&) = default;
+  friend bool operator==(const Indenter& a, const Indenter& b) { return a.left_ == b.left_ && a.pieces_ == b.pieces_; }
 
  private:
   Rational left_;
   std::vector<Piece> pieces_;
+  std::shared_ptr<const std::vector<Break>> breaks_;  ///< copies of a long trace share them
 };
 
 }  // namespace steadyslide

@@ -22,7 +22,7 @@ ReducedProblem::ReducedProblem(const ContactProblem& problem, const Frame& frame
     if (is_new) slopes.push_back(slope.composed(frame.unit, frame.origin) * Polynomial::constant(1 / c));
   }
 
-  const std::vector<Indenter::Break> breaks = problem.indenter().breaks();
+  const std::vector<Indenter::Break>& breaks = problem.indenter().breaks();
   std::size_t profile = 0;
   for (const ContactProblem::Piece& piece : problem.pieces()) {
     const Indenter::Break at = piece.profile != profile ? breaks[profile] : Indenter::Break{piece.left};

@@ -94,7 +94,7 @@ std::string_view name_of(ContactSide side) {
 
 std::vector<SingularPoint> possible_singular_points(const ContactProblem& problem) {
   const std::vector<ContactProblem::Piece> pieces = problem.pieces();
-  const std::vector<Indenter::Break> breaks = problem.indenter().breaks();
+  const std::vector<Indenter::Break>& breaks = problem.indenter().breaks();
   std::vector<SingularPoint> points;
   add_ends(problem, problem.indenter().left(), End::left, points);
   for (std::size_t k = 1; k < pieces.size(); ++k) {

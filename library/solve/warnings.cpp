@@ -61,7 +61,7 @@ Rational size_of_slope(const Polynomial& polynomial, const Rational& x) {
 std::vector<Rational> rounded_kinks(const Indenter& indenter) {
   const Integer roundings = Integer(1) << (std::numeric_limits<double>::digits - 4);
   std::vector<Rational> result;
-  const std::vector<Indenter::Break> breaks = indenter.breaks();
+  const std::vector<Indenter::Break>& breaks = indenter.breaks();
   for (std::size_t k = 0; k < breaks.size(); ++k) {
     const Rational& x = breaks[k].x;
     const Rational size =

@@ -16,7 +16,7 @@ inline ContactProblem flanks(FrictionProfile friction, const Polynomial& left, c
 
 /// Returns psi'(c+) - psi'(c-), reduced, at the profile's first break. Returns 0 if there is none.
 inline Rational wedge_of(const ContactProblem& problem) {
-  const std::vector<Indenter::Break> breaks = problem.indenter().breaks();
+  const std::vector<Indenter::Break>& breaks = problem.indenter().breaks();
   return breaks.empty() ? Rational(0) : breaks.front().wedge / problem.elasticity().compliance();
 }
 
