@@ -14,6 +14,7 @@
 #include "app/results/solution_figure.hpp"
 #include "app/results/solve_writers.hpp"
 #include "app/terminal/progress.hpp"
+#include "enclosure/loads/tolerance_band.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -86,8 +87,11 @@ ExitCode solve_once(const SolveOptions& options, const Problem& problem) {
     plot.emplace(*options.plot);
     wanted.curve = true;
   }
-  const SolutionText solution = solve_shown(options, problem, std::move(wanted));
+  SolutionText solution = solve_shown(options, problem, std::move(wanted));
   if (!solution.reason.empty()) throw inapplicable(problem, options.method, solution.reason);
+  if (options.tolerance && solution.is_solved()) {
+    solution.tolerance = tolerance_text(problem.contact, *options.tolerance, solution.resultants);
+  }
   if (plot) plot->write(rendered_picture(solution_figure(problem, solution), picture_of(*options.plot)));
   write(options, problem, solution, output);
   if (plot) plot->commit();
@@ -212,6 +216,11 @@ ExitCode run_solve(const Given& given) {
   const SolveOptions options = solve_options(given);
   const Problem problem = read_problem(given.text("PROBLEM"));
   check_method(options, problem);
+  if (options.tolerance) {
+    const auto& [profile, friction] = *options.tolerance;
+    checked(friction == 0 ? "--tolerance-profile" : "--tolerance-friction",
+            [&] { return enclosure::ToleranceBand(problem.contact, profile, friction); });
+  }
   if (options.search_starts > 0) return search(options, problem);
   if (options.both_directions) return solve_both_directions(options, problem);
   return options.load_steps.empty() ? solve_once(options, problem) : follow_loads(options, problem);

@@ -48,6 +48,8 @@ void refuse_conflicts(const Given& given, const SolveOptions& options) {
              searches = options.search_starts > 0;
   const bool csv = options.common.format == Format::csv;
   constexpr const char* one_table = "a CSV file is one table";
+  constexpr std::initializer_list<const char*> no_intervals{"--load-steps", "--both-directions"};
+  constexpr const char* one_load_and_direction = "the intervals are those of one load and direction";
   refuse({
       conflict("--load-steps", follows, {"--at", "--at-file", "--samples"}, "samples are those of one load"),
       conflict("--load-steps", follows, {"--stress-at", "--loads-on", "--max-stress"},
@@ -63,6 +65,10 @@ void refuse_conflicts(const Given& given, const SolveOptions& options) {
       conflict("--loads-on", csv && given.has("--loads-on"), {"--max-stress", "--at", "--at-file", "--samples"},
                one_table),
       conflict("--max-stress", csv && given.has("--max-stress"), {"--at", "--at-file", "--samples"}, one_table),
+      conflict("--tolerance-profile", given.has("--tolerance-profile"), no_intervals, one_load_and_direction),
+      conflict("--tolerance-friction", given.has("--tolerance-friction"), no_intervals, one_load_and_direction),
+      conflict("--tolerance-profile", csv && given.has("--tolerance-profile"), {"--format"}, one_table),
+      conflict("--tolerance-friction", csv && given.has("--tolerance-friction"), {"--format"}, one_table),
       conflict("--certify", options.certify, {"--search-solutions"}, "it proves one solution"),
       conflict("--both-directions", both, {"--load-steps", "--search-solutions"},
                "it is for one solution of each direction"),
@@ -79,16 +85,28 @@ void refuse_conflicts(const Given& given, const SolveOptions& options) {
   });
 }
 
+/// Returns the number of an option whose value is at least 0; 0 without the option.
+Rational size_of(const Given& given, const std::string& option, const char* rule) {
+  if (!given.has(option)) return 0;
+  const std::string text = given.text(option);
+  const Rational size = parse_list(option, text, 1)[0];
+  if (size < 0) throw bad_command_line(option + ": negative", rule, text);
+  return size;
+}
+
+std::optional<Tolerance> tolerance_wanted(const Given& given) {
+  if (!given.has("--tolerance-profile") && !given.has("--tolerance-friction")) return std::nullopt;
+  constexpr const char* rule = "a tolerance is at least 0";
+  return Tolerance{size_of(given, "--tolerance-profile", rule), size_of(given, "--tolerance-friction", rule)};
+}
+
 FieldWanted field_wanted(const Given& given) {
   FieldWanted wanted;
   if (const auto file = given.name("--stress-at", "file")) wanted.points = read_depth_points(*file);
   if (const auto file = given.name("--loads-on", "file")) wanted.mesh = std::make_shared<MeshFile>(read_mesh(*file));
   wanted.largest_stress = given.has("--max-stress");
   if (!given.has("--depth")) return wanted;
-  const std::string text = given.text("--depth");
-  const std::vector<Rational> depth = parse_list("--depth", text, 1);
-  if (depth[0] < 0) throw bad_command_line("--depth: negative", "a depth is at least 0", text);
-  wanted.depth = depth[0];
+  wanted.depth = size_of(given, "--depth", "a depth is at least 0");
   return wanted;
 }
 
@@ -114,6 +132,8 @@ std::vector<Option> solve_option_list() {
        {"--load-steps", "LIST", "The contact under each of these loads, one row for each component"},
        {"--search-solutions", "N",
         "Start from N contact sets, 1 to 1000: do all lead to one solution? By the variational method"},
+       {"--tolerance-profile", "E", "Intervals of load shares and friction for all profiles within E; f must not fall"},
+       {"--tolerance-friction", "D", "The same for all frictions within D"},
        certify_option("Prove the solution, enclose every number in ball arithmetic; exit code 1 if unproved"),
        {"--certificate", "FILE", "Write the proof's certificate, for steadyslide-check; implies --certify"},
        jobs_option("With --certify: threads")},
@@ -140,6 +160,7 @@ SolveOptions solve_options(const Given& given) {
   options.search_starts = given.count("--search-solutions", 1, 1000).value_or(0);
   refuse_conflicts(given, options);
   options.field = field_wanted(given);
+  options.tolerance = tolerance_wanted(given);
   return options;
 }
 

@@ -30,6 +30,7 @@ struct SolveOptions {
   std::optional<std::string> certificate;  ///< the file to write
   std::optional<std::string> plot;         ///< the file to write
   FieldWanted field;
+  std::optional<Tolerance> tolerance;
 
   numeric::VariationalOptions variational() const {
     numeric::VariationalOptions result;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/results/field_text.hpp"
+#include "app/results/tolerance_text.hpp"
 #include "library/answer/quantities.hpp"
 #include "library/problem_file/problem_file.hpp"
 #include "library/solve/failed_condition.hpp"
@@ -114,9 +115,10 @@ struct SolutionText {
   std::string reason;            ///< not empty: the method does not apply, and the other members are empty
   std::string failed_condition;  ///< not empty: this is not a solution; the reason
   std::vector<std::string> warnings;
-  bool in_range = true;            ///< false: some value is NaN, or near the end of the range of its type
-  std::optional<ProofText> proof;  ///< absent if not requested
-  std::optional<BoundText> bound;  ///< the same for a solution on cells
+  bool in_range = true;                    ///< false: some value is NaN, or near the end of the range of its type
+  std::optional<ProofText> proof;          ///< absent if not requested
+  std::optional<BoundText> bound;          ///< the same for a solution on cells
+  std::optional<ToleranceText> tolerance;  ///< absent if not requested
 
   bool is_solved() const { return reason.empty() && failed_condition.empty(); }
 };

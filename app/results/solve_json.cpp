@@ -182,6 +182,17 @@ Json bound_json(const BoundText& bound) {
   return {{"status", "proved"}, {"cells", bound.cells}, {"energy", bound.energy}, {"largest_gap", bound.largest_gap}};
 }
 
+Json json_of(const IntervalText& interval) { return {{"from", interval.from}, {"to", interval.to}}; }
+
+Json tolerance_json(const ToleranceText& tolerance) {
+  Json json{{"profile", tolerance.profile}, {"friction", tolerance.friction}};
+  json["status"] = tolerance.proved ? "proved" : "estimated";
+  json["energy"] = tolerance.energy;
+  json["load_share"] = array(tolerance.load_share, [](const IntervalText& share) { return json_of(share); });
+  return with(std::move(json), "friction_force", tolerance.friction_force, "effective_friction",
+              tolerance.effective_friction);
+}
+
 Json solution_json(const SolutionText& solution) {
   Json json;
   for (const char* key :
@@ -191,6 +202,7 @@ Json solution_json(const SolutionText& solution) {
   add_field(json, solution.field);
   if (solution.proof) json["proof"] = proof_json(*solution.proof);
   if (solution.bound) json["bound"] = bound_json(*solution.bound);
+  if (solution.tolerance) json["tolerance"] = tolerance_json(*solution.tolerance);
   return json;
 }
 

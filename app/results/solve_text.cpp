@@ -219,6 +219,25 @@ void write_bound(const BoundText& bound, Output& output) {
                   bound.energy, bound.largest_gap));
 }
 
+void write_tolerance(const Problem& problem, const ToleranceText& tolerance, Output& output) {
+  output.write(
+      fmt::format("\nwith any profile within {} and any friction within {} of these, under the same load,\n"
+                  "in the same attitude or under the same line of action{}\n",
+                  tolerance.profile, tolerance.friction, tolerance.proved ? " (proved)" : " (by estimates)"));
+  const auto line = [&](const std::string& name, const IntervalText& interval, const std::string& which) {
+    write_line(output, name, fmt::format("from {} to {}{}", interval.from, interval.to, which));
+  };
+  const std::vector<Rational>& friction = problem.contact.friction().values();
+  for (std::size_t k = 0; k < std::min(tolerance.load_share.size(), most_load_shares); ++k) {
+    line(k == 0 ? "load share" : "", tolerance.load_share[k], " under f = " + exact_text(friction[k]));
+  }
+  if (tolerance.load_share.size() > most_load_shares) {
+    write_line(output, "", fmt::format("... and {} more", tolerance.load_share.size() - most_load_shares));
+  }
+  line("friction force", tolerance.friction_force, "");
+  line("effective friction", tolerance.effective_friction, "");
+}
+
 }  // namespace
 
 void write_text(const Problem& problem, const SolutionText& solution, Output& output) {
@@ -235,6 +254,7 @@ void write_text(const Problem& problem, const SolutionText& solution, Output& ou
   write_sizes("relative residuals, by an unrelated rule", solution.residuals, output);
   if (solution.proof) write_proof(*solution.proof, output);
   if (solution.bound) write_bound(*solution.bound, output);
+  if (solution.tolerance) write_tolerance(problem, *solution.tolerance, output);
   write_uniqueness(solution, output);
 }
 

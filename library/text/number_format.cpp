@@ -215,6 +215,11 @@ std::string upper_text(const enclosure::Ball& ball, int digits) {
   return upper.is_zero() ? "0" : lay_out(Midpoint(upper).rounded(digits, MPFR_RNDU), digits);
 }
 
+std::string lower_text(const enclosure::Ball& ball, int digits) {
+  const enclosure::Ball lower = ball.lower();
+  return lower.is_zero() ? "0" : lay_out(Midpoint(lower).rounded(digits, MPFR_RNDD), digits);
+}
+
 NumberText number_text(const enclosure::Ball& ball, int digits) {
   if (ball.is_infinity()) {
     const std::string text = ball.is_positive() ? "inf" : "-inf";

@@ -41,6 +41,8 @@ struct NumberText {
 NumberText number_text(const enclosure::Ball& ball, int digits);
 /// An upper bound: no number in the ball exceeds it.
 std::string upper_text(const enclosure::Ball& ball, int digits = 2);
+/// A lower bound: no number in the ball is below it.
+std::string lower_text(const enclosure::Ball& ball, int digits = 2);
 
 template <numeric::Real R>
 NumberText number_text(const numeric::Estimate<R>& estimate, int digits);
