@@ -18,7 +18,8 @@ const std::vector<std::pair<std::string_view, Statements (*)()>> sources{
     {"rh-", symbolic::riemann_hilbert_statements}, {"equation-", symbolic::equation_statements},
     {"energy-", symbolic::energy_statements},      {"chebyshev-", symbolic::hilbert_statements},
     {"skew-", symbolic::hilbert_statements},       {"pairing-", symbolic::hilbert_statements},
-    {"theorem-", symbolic::local_form_statements}, {"", symbolic::elasticity_statements}};
+    {"theorem-", symbolic::local_form_statements}, {"unique-", symbolic::uniqueness_statements},
+    {"", symbolic::elasticity_statements}};
 
 const Statements& decided_with(const std::string& id) {
   static std::map<std::string_view, Statements> decided;

@@ -6,7 +6,7 @@
 namespace steadyslide::symbolic {
 
 namespace embedded {
-extern const std::string_view elasticity_txt, energy_txt, equation_txt, hilbert_txt;
+extern const std::string_view elasticity_txt, energy_txt, equation_txt, hilbert_txt, uniqueness_txt;
 }
 
 std::vector<DecidedStatement> elasticity_statements() {
@@ -38,6 +38,8 @@ std::vector<DecidedStatement> elasticity_statements() {
 std::vector<DecidedStatement> equation_statements() { return written_statements(embedded::equation_txt); }
 
 std::vector<DecidedStatement> energy_statements() { return written_statements(embedded::energy_txt); }
+
+std::vector<DecidedStatement> uniqueness_statements() { return written_statements(embedded::uniqueness_txt); }
 
 std::vector<DecidedStatement> hilbert_statements() { return written_statements(embedded::hilbert_txt); }
 

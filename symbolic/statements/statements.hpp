@@ -34,6 +34,10 @@ std::vector<DecidedStatement> riemann_hilbert_statements();
 /// number of jumps by induction, and for every pair of Chebyshev's indices [Bal16, section 3.1].
 std::vector<DecidedStatement> energy_statements();
 
+/// The steps of the theorems on uniqueness under friction of any trend: the number of gaps, the phase of the difference
+/// of two fields along the line.
+std::vector<DecidedStatement> uniqueness_statements();
+
 /// Tractions given by Chebyshev coefficients, with symbols as indices: the logarithmic form, the sign form, norms;
 /// b = b_0 (1+K) with a skew K; the steps with pairings in the proofs of section 3.
 std::vector<DecidedStatement> hilbert_statements();
@@ -43,11 +47,12 @@ struct StatementFamily {
   const char* name;
   std::vector<DecidedStatement> (*decide)();
 };
-inline constexpr std::array<StatementFamily, 6> statement_families{{{"elasticity", elasticity_statements},
+inline constexpr std::array<StatementFamily, 7> statement_families{{{"elasticity", elasticity_statements},
                                                                     {"equation", equation_statements},
                                                                     {"local_forms", local_form_statements},
                                                                     {"riemann_hilbert", riemann_hilbert_statements},
                                                                     {"energy", energy_statements},
+                                                                    {"uniqueness", uniqueness_statements},
                                                                     {"hilbert", hilbert_statements}}};
 
 /// A place in the paper's text (taken from its open version) that differs from the local forms or omits a condition

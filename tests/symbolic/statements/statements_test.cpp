@@ -84,6 +84,12 @@ TEST_CASE("every statement on the energy holds, and each of its wrong variants i
   CHECK(check_decided(energy_statements(), 3).size() == 12);
 }
 
+TEST_CASE("every statement on uniqueness holds, and each of its wrong variants is refuted") {
+  const std::vector<DecidedStatement> all = uniqueness_statements();
+  CHECK(check_decided(all, 3).size() == 16);
+  for (const DecidedStatement& statement : all) check_divisors(statement, [](const std::string&) { return false; });
+}
+
 TEST_CASE("every statement on forms with symbolic indices holds, and each of its wrong variants is refuted") {
   const std::vector<DecidedStatement> all = hilbert_statements();
   CHECK(check_decided(all, 3).size() == 23);
