@@ -28,7 +28,7 @@ ContactProblem::ContactProblem(Elasticity elasticity, FrictionProfile friction, 
     throw InvalidData("load_at", "load outside the support", "the load acts in ]" + support + "[",
                       to_string(*load_at_));
   }
-  if (elasticity_.indenter() && !indenter_.is_smooth()) {
+  if (elasticity_.indenter()) {
     for (const Indenter::Break& b : indenter_.breaks()) {
       if (b.step == 0 && b.wedge == 0) continue;
       throw InvalidData("indenter.pieces", "elastic indenter with a wedge or a step",

@@ -36,6 +36,12 @@ const Polynomial& Indenter::profile(const Rational& x, Side side) const {
   return std::lower_bound(pieces_.begin(), pieces_.end() - 1, x, ends_before)->profile;
 }
 
+Indenter::Break Indenter::break_at(const Rational& x) const {
+  const auto found = std::lower_bound(breaks_->begin(), breaks_->end(), x,
+                                      [](const Break& at, const Rational& place) { return at.x < place; });
+  return found != breaks_->end() && found->x == x ? *found : Break{x};
+}
+
 Indenter::Break Indenter::Break::reduced(const Rational& origin, const Rational& unit,
                                          const Rational& compliance) const {
   return {(x - origin) / unit, step / (compliance * unit), wedge / compliance};

@@ -29,15 +29,20 @@ class Indenter {
   /// polynomial of the first or the last piece.
   const Polynomial& profile(const Rational& x, Side side) const;
 
-  /// The jumps of value and slope where piece k meets piece k + 1: right minus left.
+  /// The jumps of value and slope at a place: right minus left.
   struct Break {
     Rational x;
     Rational step = 0;
     Rational wedge = 0;
 
+    /// Returns the order of the lowest derivative of the profile that jumps, 1 for the slope; 0 if none does.
+    int derivative() const { return wedge != 0 ? 1 : 0; }
     /// Returns the break in the coordinate (x - origin)/unit, for heights psi/(compliance unit).
     Break reduced(const Rational& origin, const Rational& unit, const Rational& compliance) const;
   };
+  /// Returns the jumps at x; all are 0 at the ends of the support and where no pieces meet.
+  Break break_at(const Rational& x) const;
+  /// Returns the places where two pieces meet, from left to right.
   const std::vector<Break>& breaks() const { return *breaks_; }
   /// True if the profile has neither a wedge nor a step.
   bool is_smooth() const;

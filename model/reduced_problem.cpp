@@ -22,13 +22,9 @@ ReducedProblem::ReducedProblem(const ContactProblem& problem, const Frame& frame
     if (is_new) slopes.push_back(slope.composed(frame.unit, frame.origin) * Polynomial::constant(1 / c));
   }
 
-  const std::vector<Indenter::Break>& breaks = problem.indenter().breaks();
-  std::size_t profile = 0;
   for (const ContactProblem::Piece& piece : problem.pieces()) {
-    const Indenter::Break at = piece.profile != profile ? breaks[profile] : Indenter::Break{piece.left};
-    anchors.push_back(at.reduced(frame.origin, frame.unit, c));
-    profile = piece.profile;
-    intervals.push_back({slope_of_profile[profile], piece.friction, problem.coupled_friction(piece.friction)});
+    anchors.push_back(problem.indenter().break_at(piece.left).reduced(frame.origin, frame.unit, c));
+    intervals.push_back({slope_of_profile[piece.profile], piece.friction, problem.coupled_friction(piece.friction)});
   }
   anchors.push_back({reduced(problem.indenter().right())});
   if (problem.load_at()) load_at = reduced(*problem.load_at());

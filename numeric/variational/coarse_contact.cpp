@@ -15,15 +15,13 @@ namespace coarse {
 namespace {
 
 std::vector<SupportPiece> pieces_of(const ContactProblem& problem, const Rational& origin) {
-  const std::vector<Indenter::Break> breaks = problem.indenter().breaks();
   const Polynomial per_compliance = Polynomial::constant(1 / problem.elasticity().compliance());
   std::vector<SupportPiece> pieces;
   std::vector<double> profile;
   std::size_t next = 0;
   for (const ContactProblem::Piece& piece : problem.pieces()) {
-    int step = 0;
+    const int step = sign(problem.indenter().break_at(piece.left).step);
     if (piece.profile == next) {
-      if (next > 0) step = sign(breaks[next - 1].step);
       profile = coefficients_of<double>(per_compliance * problem.indenter().pieces()[next].profile.composed(1, origin));
       ++next;
     }
