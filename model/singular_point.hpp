@@ -8,6 +8,7 @@
 //   friction jump inside the contact: beta = alpha(c-) - alpha(c+); wedge without jump: logarithm.
 
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -29,17 +30,30 @@ struct LocalTerms {
   SingularKind kind;
   std::string_view name;   ///< in the interface and in files
   std::string_view words;  ///< in sentences
+  std::string_view form;   ///< for readers; empty if it is that of another kind
   bool is_end;             ///< contact ends there; otherwise there is contact on both sides
   bool friction_jumps;     ///< the friction changes there
-  bool slope_jumps;        ///< the slope of the profile changes there
+  int derivative;          ///< the lowest derivative of the profile that jumps there, 1 for the slope; 0: none
   bool has_power;          ///< the traction has a power of the distance
   bool has_logarithm;      ///< the traction has a logarithm of the distance
   bool has_constant;       ///< the traction has a constant besides
+
+  /// True if the traction is infinite beside a point with this exponent and a positive intensity.
+  bool is_infinite(const std::optional<Exponent>& exponent) const {
+    return exponent ? exponent->sign() < 0 : has_logarithm;
+  }
 };
+/// Returns the terms of all kinds, in the order of SingularKind.
+std::span<const LocalTerms> all_local_terms();
 const LocalTerms& local_terms(SingularKind kind);
 inline std::string_view name_of(SingularKind kind) { return local_terms(kind).name; }
-/// Returns the kind of a point inside the contact on the basis of what jumps there; absent if nothing does.
-std::optional<SingularKind> inner_kind(bool friction_jumps, bool slope_jumps);
+/// Returns the kind of an end of contact, where the traction vanishes or not.
+inline SingularKind end_kind(bool vanishes, bool at_end_of_support) {
+  return vanishes ? SingularKind::free : at_end_of_support ? SingularKind::edge : SingularKind::step;
+}
+/// Returns the kind of a point inside the contact where this derivative of the profile is the lowest that jumps, 0 for
+/// none; absent if the traction is not singular.
+std::optional<SingularKind> inner_kind(bool friction_jumps, int derivative);
 
 /// The exact terms of the traction at a point c inside the contact where something jumps, in reduced quantities:
 ///   t ~ constant - theta cos(pi alpha) |x - c|^beta   or   t ~ constant + logarithm log|x - c|/pi.

@@ -42,8 +42,7 @@ Ball EnclosedSolution::amplitude(std::size_t j, std::size_t segment) const {
 EnclosedSolution::End EnclosedSolution::end(std::size_t j) const {
   const ContactTopology::Point& point = set().point(j);
   const std::size_t segment = point.kind == Kind::begins ? j : j - 1;
-  SingularKind kind = SingularKind::free;
-  if (!point.vanishes) kind = j == 0 || j + 1 == set().points() ? SingularKind::edge : SingularKind::step;
+  const SingularKind kind = end_kind(point.vanishes, j == 0 || j + 1 == set().points());
   // A place of the data stays exact.
   const Ball x = point.beside ? user(set().x(j)) : Ball(reduced_->place(point.anchor), bits_);
   return {x, kind, set().exponent(j), -amplitude(j, segment) * power(unit_, -set().power(j))};
@@ -80,18 +79,17 @@ std::vector<EnclosedSolution::Point> EnclosedSolution::singular_points() const {
       continue;
     }
     if (!on_left || !on_right) continue;
-    const std::size_t anchor = set().point(j).anchor;
     const std::optional<InnerTerms> terms = inner_terms_at(j);
     if (!terms) continue;
-    const Ball x(reduced_->place(anchor), bits_);
+    const Ball x(reduced_->place(set().point(j).anchor), bits_);
     if (local_terms(terms->kind).has_power) {
       const Ball theta = -amplitude(j, j) / set().cos_alpha(j) * power(unit_, -set().power(j));
       const auto beside = [&](std::size_t segment) {
         const Rational& s = set().interval(segment).s;
         return stress_intensity(j, theta) / sqrt(Ball(Rational(1 + s * s), bits_));
       };
-      const Ball constant(terms->constant, bits_);
-      result.push_back({x, terms->kind, set().exponent(j), theta, constant, {beside(j - 1), beside(j)}});
+      result.push_back(
+          {x, terms->kind, set().exponent(j), theta, Ball(terms->constant, bits_), {beside(j - 1), beside(j)}});
       continue;
     }
     // The limit from the left of t - theta log|x - c|/pi, |x - c| in the user's unit.

@@ -1,10 +1,7 @@
 #pragma once
 // The values of a proved contact solution as balls, in the user's units and x: the quantities that
-// numeric/solution/contact_solution.hpp estimates, with the same signs and definitions of intensities and constants.
-//
-//   at an end            t = -theta d^lambda
-//   at a friction jump   t = constant - theta cos(pi alpha) |x-c|^beta, constant = D/[s]
-//   at a wedge           t = theta (log|x-c|/pi + s H(x-c)) + constant, theta = D/(1+s^2)
+// numeric/solution/contact_solution.hpp estimates, with the same signs and definitions of intensities and constants
+// (docs/results.md, "Values at singular points").
 
 #include <memory>
 #include <optional>
@@ -64,9 +61,9 @@ class EnclosedSolution {
   std::optional<Rational> exact(std::size_t j) const;
   SurfacePoint seen_from(std::size_t segment, const Rational& xi) const;
   End end(std::size_t j) const;
-  /// Returns theta' (2 pi)^-lambda, where lambda is the exponent at point j.
   /// Returns the exact terms at point j inside the contact; absent if nothing jumps there.
   std::optional<InnerTerms> inner_terms_at(std::size_t j) const;
+  /// Returns theta' (2 pi)^-lambda, where lambda is the exponent at point j.
   Ball stress_intensity(std::size_t j, const Ball& coefficient) const;
   /// Returns eps cos(pi alpha) prod' |x - x_j|^p B without its singular term, as the limit in the segment at its point
   /// j.

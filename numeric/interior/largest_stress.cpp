@@ -173,9 +173,9 @@ template <Real R>
 std::vector<Estimate<R>> unbounded_places(const ContactSolution<R>& solution) {
   std::vector<Estimate<R>> result;
   for (const SolvedSingularPoint<R>& point : solution.singular_points()) {
-    if (!point.exponent || point.exponent->sign() < 0 || local_terms(point.kind).has_constant) {
-      result.push_back(point.x);
-    }
+    const LocalTerms& terms = local_terms(point.kind);
+    // At a constant beside a friction jump the shear jumps.
+    if (terms.is_infinite(point.exponent) || (terms.friction_jumps && terms.has_constant)) result.push_back(point.x);
   }
   return result;
 }

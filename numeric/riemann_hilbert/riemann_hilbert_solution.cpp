@@ -105,12 +105,6 @@ Estimate<R> RiemannHilbertSolution<R>::intensity(std::size_t j) const {
   const bool inside = !contact_set().point(j).is_end();
   const Side side = in_contact_at(j, Side::right) ? Side::right : Side::left;
   const std::size_t friction = form_.friction_at(side == Side::right ? j : j - 1);
-  if (inside && form_.exponent(j).sign() == 0) {
-    // A wedge: the coefficient of log|x - c|/pi.
-    const std::optional<InnerTerms> terms = inner_terms_at(j);
-    const R theta = terms ? to_real<R>(terms->logarithm) : R(0);
-    return {theta, epsilon<R>() * abs(theta)};
-  }
   const Estimate<R> t = amplitude(j, side);
   const R power = pow(unit_, -form_.power(j).value);
   // At an end theta contains cos(pi alpha) of the contact side; at a jump its definition does not contain it.
@@ -144,12 +138,8 @@ Estimate<R> RiemannHilbertSolution<R>::constant(std::size_t j) const {
 template <Real R>
 ContactEnd<R> RiemannHilbertSolution<R>::contact_end(std::size_t j) const {
   const auto& point = contact_set().point(j);
-  SingularKind kind = SingularKind::free;
-  if (!point.vanishes) {
-    const bool at_support = *point.anchor == 0 || *point.anchor + 1 == reduced_.anchors().size();
-    kind = at_support ? SingularKind::edge : SingularKind::step;
-  }
-  return {coordinate(j), kind, form_.exponent(j), intensity(j)};
+  const bool at_support = point.anchor && (*point.anchor == 0 || *point.anchor + 1 == reduced_.anchors().size());
+  return {coordinate(j), end_kind(point.vanishes, at_support), form_.exponent(j), intensity(j)};
 }
 
 template <Real R>
@@ -223,7 +213,8 @@ std::vector<SolvedSingularPoint<R>> RiemannHilbertSolution<R>::singular_points()
       result.push_back(
           {coordinate(j), terms->kind, form_.exponent(j), theta, constant(j), {on_side(j - 1), on_side(j)}});
     } else {
-      result.push_back({coordinate(j), terms->kind, std::nullopt, intensity(j), constant(j), {}});
+      const R theta = to_real<R>(terms->logarithm);
+      result.push_back({coordinate(j), terms->kind, std::nullopt, {theta, epsilon<R>() * abs(theta)}, constant(j), {}});
     }
   }
   return result;

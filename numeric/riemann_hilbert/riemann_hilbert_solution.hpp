@@ -69,11 +69,11 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   /// Returns the coefficient of |x - x_j|^p/cos(pi alpha) in t on one side of point j; for p = 0, the part of t without
   /// its singular term.
   Estimate<R> amplitude(std::size_t j, Side side) const;
+  /// Returns theta of a power.
   Estimate<R> intensity(std::size_t j) const;
   /// Returns the traction with its error, including that of the state.
   Estimate<R> traction(const SurfacePoint<R>& at) const;
   Estimate<R> constant(std::size_t j) const;
-  /// Returns the jump of g at a point where the contact changes its polynomial.
   /// Returns the exact terms at point j inside the contact; absent if nothing jumps there.
   std::optional<InnerTerms> inner_terms_at(std::size_t j) const;
   bool in_contact_at(std::size_t j, Side side) const;

@@ -15,9 +15,9 @@ std::optional<LargestPressure<R>> infinite_pressure(const std::vector<SolvedSing
   };
   const SolvedSingularPoint<R>* worst = nullptr;
   for (const SolvedSingularPoint<R>& point : points) {
-    const bool blows_up =
-        point.exponent ? point.exponent->sign() < 0 : point.intensity.value > 0 || isinf(point.intensity.error);
-    if (!blows_up) continue;
+    if (!local_terms(point.kind).is_infinite(point.exponent)) continue;
+    // A power has a positive intensity; a logarithm may have none.
+    if (!point.exponent && !(point.intensity.value > 0) && !isinf(point.intensity.error)) continue;
     const bool is_worse = worst == nullptr || power(point) < power(*worst) ||
                           (power(point) == power(*worst) && point.intensity.value > worst->intensity.value);
     if (is_worse) worst = &point;

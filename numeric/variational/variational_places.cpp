@@ -79,14 +79,14 @@ void VariationalSolution::find_places() {
       if (x > to) break;
       if (x < from) continue;
       const Polynomial slope = (profile(right.profile) - profile(left.profile)).derivative();
-      const bool wedge = slope(right.left) != 0;
+      const int derivative = problem_.indenter().break_at(right.left).derivative();
       const Exponent beta =
           jump_exponent(problem_.coupled_friction(left.friction), problem_.coupled_friction(right.friction));
-      const SingularKind kind = inner_kind(beta.sign() != 0, wedge).value_or(SingularKind::wedge);
+      const SingularKind kind = inner_kind(beta.sign() != 0, derivative).value_or(SingularKind::wedge);
       SingularPlace place{x, kind, std::nullopt, {x}, Side::left, left.friction, right.friction, slope.degree(), true};
       if (beta.sign() != 0) {
         place.exponent = beta;
-      } else if (!wedge) {
+      } else if (derivative == 0) {
         place.exponent = Exponent(0);  // the traction neither blows up nor vanishes; the polynomial changes
       }
       const bool repeated = !places_.back().is_end() && places_.back().x == x;
@@ -219,12 +219,12 @@ std::optional<SolvedSingularPoint<double>> VariationalSolution::sharpest_wedge()
 std::vector<SolvedSingularPoint<double>> VariationalSolution::singular_points() const {
   std::vector<SolvedSingularPoint<double>> result;
   for (const SingularPlace& place : places_) {
-    const bool wedge_only = place.kind == SingularKind::wedge;
+    const bool logarithm = local_terms(place.kind).has_logarithm;
     // If only a curvature changes, nothing is singular. A measured profile has a wedge at every point; cells can show a
     // wedge only if it is isolated.
-    if (wedge_only && place.exponent) continue;
+    if (logarithm && place.exponent) continue;
     const auto& around = place.surroundings;
-    if (wedge_only && std::min(around.left, around.right) < fewest_between * cell_length()) continue;
+    if (logarithm && std::min(around.left, around.right) < fewest_between * cell_length()) continue;
     result.push_back(solved_point(place));
   }
   return result;

@@ -78,16 +78,12 @@ class Solver {
 
   std::optional<SingularKind> kind() const {
     const LocalPlace& place = form_.place;
-    if (!both()) {
-      return place.beyond == Beyond::nothing ? SingularKind::edge
-             : place.beyond == Beyond::step  ? SingularKind::step
-                                             : SingularKind::free;
-    }
+    if (!both()) return end_kind(place.beyond == Beyond::indenter, place.beyond == Beyond::nothing);
     bool wedge = false;
     for (std::size_t n = 0; n < 3; ++n) {
       wedge = wedge || !frame_.field().are_equal(place.left.slopes[n], place.right.slopes[n]).holds;
     }
-    return inner_kind(!frame_.one_friction(), wedge);
+    return inner_kind(!frame_.one_friction(), wedge ? 1 : 0);
   }
 
   std::vector<symbol> unknowns(const std::string& name) const {

@@ -184,8 +184,9 @@ void describe(LocalForm& form, const LocalFrame& frame) {
                                " only, `t = 0` on the other side, whose friction therefore plays no part; `d = |x|`.",
                            {"s = " + s.text, "s = " + s.latex});
   }
-  if (form.kind && local_terms(*form.kind).slope_jumps) {
-    form.derivation.assume("The slope of the indenter jumps, or a derivative of it.", slope_jump_text(form, frame, 0));
+  if (const int derivative = form.kind ? local_terms(*form.kind).derivative : 0; derivative > 0) {
+    form.derivation.assume("The slope of the indenter jumps, or a derivative of it.",
+                           slope_jump_text(form, frame, static_cast<std::size_t>(derivative - 1)));
   }
 }
 

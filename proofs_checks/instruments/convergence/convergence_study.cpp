@@ -20,8 +20,6 @@ using SingularPlace = VariationalSolution::SingularPlace;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-bool has_constant(SingularKind kind) { return kind == SingularKind::wedge || kind == SingularKind::wedge_and_jump; }
-
 bool is_constant(const FrictionProfile& friction) {
   const std::vector<Rational>& values = friction.values();
   return std::adjacent_find(values.begin(), values.end(), std::not_equal_to<>()) == values.end();
@@ -42,7 +40,7 @@ std::vector<double> intensities_of(const numeric::ContactSolution<double>& solut
   std::vector<double> result;
   for (const auto& point : solution.singular_points()) {
     result.push_back(std::isfinite(point.intensity.error) ? point.intensity.value : nan);
-    if (!has_constant(point.kind)) continue;
+    if (!local_terms(point.kind).has_constant) continue;
     result.push_back(std::isfinite(point.constant.error) ? point.constant.value : nan);
   }
   return result;
@@ -138,7 +136,7 @@ SolvedReference reference(const ContactProblem& problem) {
     char place[32];
     std::snprintf(place, sizeof place, "%.4f", point.x.value);
     result.intensity_names.push_back((point.exponent ? "theta at " : "log coefficient at ") + std::string(place));
-    if (has_constant(point.kind)) result.intensity_names.push_back("constant at " + std::string(place));
+    if (local_terms(point.kind).has_constant) result.intensity_names.push_back("constant at " + std::string(place));
   }
   return result;
 }

@@ -26,7 +26,7 @@ SolvedAtCorner<R> solve_corner(const SolvedCorner& c) {
     found.limit = c.has_jump() ? R(-found.theta) : point.constant.value;
     return found;
   }
-  // Only the curvature jumps. The list of singular points has no entry then, so the value of the traction is used.
+  // Nothing is singular there.
   found.limit = found.solution->at(corner).traction.right.value;
   return found;
 }

@@ -94,7 +94,7 @@ TEST_CASE("a wedge: intensity and constant of a singular point are those of the 
       const auto solution = riemann_hilbert<Real50>(wedge_and_jump(f + parse_rational(further), f)).solution;
       const std::vector<SolvedSingularPoint<Real50>> points = solution->singular_points();
       const auto corner =
-          std::ranges::find_if(points, [](const auto& point) { return local_terms(point.kind).slope_jumps; });
+          std::ranges::find_if(points, [](const auto& point) { return local_terms(point.kind).derivative == 1; });
       REQUIRE(corner != points.end());
       // At the distances d, 2d and 4d on the left; t = constant + intensity log(d)/pi, or constant + amplitude d^power.
       std::array<Real50, 3> t;

@@ -137,10 +137,6 @@ SolvedCells with_cells(const ContactProblem& problem, std::size_t count) {
   return result;
 }
 
-bool is_end(SingularKind kind) {
-  return kind == SingularKind::edge || kind == SingularKind::free || kind == SingularKind::step;
-}
-
 double s_at(const ContactProblem& problem, double x, Side side) {
   // Next to x: a place in double may miss the jump by rounding.
   const Rational c(x + (side == Side::left ? -1e-9 : 1e-9));
@@ -155,7 +151,7 @@ FittedIntensity fitted_at(const Named& named, const SolvedCells& solution, std::
   const Cells cells = solution.cells.cells();
   const double left = s_at(named.problem, place.x, Side::left);
   const double right = s_at(named.problem, place.x, Side::right);
-  if (is_end(point.kind)) return fitted_end(cells, place, solution.contact[j], exponent);
+  if (local_terms(point.kind).is_end) return fitted_end(cells, place, solution.contact[j], exponent);
   if (point.kind == SingularKind::wedge) return fitted_wedge(cells, place, left, named.wedge);
   return fitted_jump(cells, place, exponent, cosine(left), cosine(right), named.wedge);
 }
@@ -164,11 +160,11 @@ FittedIntensity fitted_at(const Named& named, const SolvedCells& solution, std::
 double reversed(const SolvedSingularPoint<double>& point) {
   const double lambda = to_real<double>(*point.exponent);
   if (point.kind == SingularKind::free) return 1 - lambda;
-  return is_end(point.kind) ? -1 - lambda : -lambda;
+  return local_terms(point.kind).is_end ? -1 - lambda : -lambda;
 }
 
 std::vector<Side> sides_of(const SolvedCells& solution, std::size_t j) {
-  if (is_end(solution.points[j].kind)) return {solution.contact[j]};
+  if (local_terms(solution.points[j].kind).is_end) return {solution.contact[j]};
   return {Side::left, Side::right};
 }
 
@@ -331,8 +327,9 @@ TEST_CASE("the variational solver finds the exponents that the local analysis de
     CHECK(std::abs(intensity.place.value - point.x.value) <= 0.1 * solution.cells.length);
     if (!point.exponent) return;
     for (const Side side : sides_of(solution, j)) {
-      const FittedExponent found = fitted_exponent(cells, place, side, is_end(point.kind) ? -1 : named.wedge,
-                                                   free ? PlaceIs::to_one_cell : PlaceIs::exact);
+      const FittedExponent found =
+          fitted_exponent(cells, place, side, local_terms(point.kind).is_end ? -1 : named.wedge,
+                          free ? PlaceIs::to_one_cell : PlaceIs::exact);
       check_exponent(found, point, 1e-3);
     }
   });
