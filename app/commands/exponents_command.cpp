@@ -1,5 +1,11 @@
 // steadyslide exponents
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <boost/algorithm/string/replace.hpp>
+#include <ranges>
+
 #include "app/commands/command_line.hpp"
 #include "app/embedded.hpp"
 #include "app/results/rows.hpp"
@@ -34,6 +40,13 @@ void write_exponents(const ContactProblem& problem, const CommonOptions& options
   rows.end();
 }
 
+/// Returns the help with the names of all kinds.
+std::string help() {
+  const auto names = all_local_terms() | std::views::transform(&LocalTerms::name);
+  return boost::replace_all_copy(std::string(embedded::help_exponents), "{kinds}",
+                                 fmt::format("{}", fmt::join(names, ", ")));
+}
+
 ExitCode run_exponents(const Given& given) {
   const bool certify = given.has("--certify");
   const CommonOptions options = given.common(16, all_formats, certify ? most_proved_digits : most_digits);
@@ -58,7 +71,7 @@ ExitCode run_exponents(const Given& given) {
 }  // namespace
 
 Command exponents_command() {
-  return {"exponents", std::string(embedded::help_exponents).append(embedded::help_problem),
+  return {"exponents", help().append(embedded::help_problem),
           with_common({problem_argument(),
                        {"--derivation", "", "How they are derived, step by step: text or latex", Option::Kind::flag},
                        certify_option("Enclosed in ball arithmetic, with an error that is proved")},

@@ -173,11 +173,8 @@ class SolutionFigure {
     return panel;
   }
 
-  /// True if the pressure is infinite at some place. A logarithm has no power: its text counts as 0.
-  bool is_infinite() const {
-    return std::ranges::any_of(solution_.singular_points,
-                               [](const SingularText& point) { return value_of(point.exponent.value) <= 0; });
-  }
+  /// True if the pressure is infinite at some place.
+  bool is_infinite() const { return std::ranges::any_of(solution_.singular_points, &SingularText::infinite); }
 
   /// Leaves out an infinite limit: the curve leaves the frame.
   void add(std::vector<Point>& points, double x, double left, double right) {

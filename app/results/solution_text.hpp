@@ -61,6 +61,7 @@ struct SingularText {
   NumberText constant;
   LimitText stress_intensity{};  ///< two numbers at a jump, one elsewhere
   std::string unit{};            ///< unit of the stress intensity; empty for a logarithm
+  bool infinite = false;         ///< the pressure is infinite there if the intensity is positive
 };
 
 /// The exponent of the largest pressure is a text, "log" for a logarithm.
@@ -187,7 +188,8 @@ void set_singular_points(SolutionText& text, const std::vector<SingularPointOf<N
                                     texts.told() ? exponent_text(point.exponent, texts.digits()) : ExponentText{},
                                     texts.intensity(point.intensity), texts.number(point.constant),
                                     stress_intensity_text(point.kind, side_text(left), side_text(right)),
-                                    has_unit ? stress_intensity_unit(*point.exponent) : ""});
+                                    has_unit ? stress_intensity_unit(*point.exponent) : "",
+                                    local_terms(point.kind).is_infinite(point.exponent)});
   }
 }
 

@@ -45,9 +45,16 @@ void write_contact(const SolutionText& solution, Output& output) {
 }
 
 void write_singular_points(const SolutionText& solution, Output& output) {
-  output.write(
-      "\nsingular points (t = -intensity d^exponent; constant - intensity cos(pi alpha) d^exponent at jumps;\n"
-      "constant + intensity log(d)/pi at wedges; p ~ K (2 pi d)^exponent)\n");
+  std::string text = "singular points (";
+  for (const LocalTerms& terms : all_local_terms()) {
+    if (!terms.form.empty()) text += std::string(terms.form) + "; ";
+  }
+  text += "p ~ K (2 pi d)^exponent)\n";
+  for (std::size_t from = 0; text.size() - from > 100;) {
+    from = text.rfind("; ", from + 99) + 1;
+    text[from] = '\n';
+  }
+  output.write("\n" + text);
   Rows rows(Format::text, {"  x", "kind", "exponent", "intensity", "constant", "K", "exact"}, output);
   std::map<std::string, int> unknown;
   bool any_known = false;

@@ -7,6 +7,7 @@ usage: check_schema.py PROGRAM SCHEMA EXAMPLES
 
 import copy
 import json
+import re
 import subprocess
 import sys
 import tempfile
@@ -19,6 +20,12 @@ schema = json.loads(Path(sys.argv[2]).read_text())
 jsonschema.Draft202012Validator.check_schema(schema)
 validator = jsonschema.Draft202012Validator(schema)
 failures = []
+
+# The schema has the kinds of singular points that the program has.
+shown = subprocess.run([program, "exponents", "--help"], capture_output=True, text=True, check=True).stdout
+kinds = re.search(r"^ *kind +(.*)$", shown, re.MULTILINE).group(1).split(", ")
+if schema["$defs"]["singular_point"]["properties"]["kind"]["enum"] != kinds:
+    failures.append(f"kinds of singular points: the program has {', '.join(kinds)}")
 
 
 def answer(problem, *options):
