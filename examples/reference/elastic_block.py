@@ -56,8 +56,9 @@ class Reference:
         with open(self.folder / "intensities.csv", newline="") as file:
             points = list(csv.DictReader(file))
         self.singular = [float(point["x"]) for point in points]
-        self.strongest = float(min(points, key=lambda point: float(point["exponent"]))["x"])
-        self.energy_order = min(2.0, 1 + min(float(point["exponent"]) for point in points))
+        powers = {float(point["x"]): float(point["exponent"]) for point in points if point["exponent"] != "log"}
+        self.strongest = min(powers, key=powers.get)
+        self.energy_order = min(2.0, 1 + powers[self.strongest])
         with open(self.folder / "stress.csv", newline="") as file:
             grid = columns(file)
         inside = (grid["z"] >= 0.25) & (grid["z"] < DEPTH) & (np.abs(grid["x"]) < WIDTH / 2)
