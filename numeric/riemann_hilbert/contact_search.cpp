@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "model/most_components.hpp"
 #include "numeric/riemann_hilbert/contact_inequalities.hpp"
 
 namespace steadyslide::numeric {
@@ -39,6 +40,8 @@ class Search {
           const TractionRepresentation<R> form(problem_, state_.set, state_.q, state_.tilt, rules_);
           const std::vector<Violation<R>> found = violations(form, newton.step);
           if (found.empty()) {
+            std::string excess = too_many_components(problem_.problem(), state_.set.components());
+            if (!excess.empty()) return result(std::move(excess), newton.step);
             SearchResult<R> solved = result({}, std::max(newton.step, newton.rounding.ends.distance));
             solved.errors.ends.length = 4 * std::max(newton.change, newton.rounding.ends.length) + 16 * epsilon<R>();
             solved.errors.tilt = newton.rounding.tilt;

@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "model/most_components.hpp"
 #include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "numeric/variational/variational_inequality.hpp"
 #include "support/solved_contact.hpp"
@@ -210,4 +211,29 @@ TEST_CASE("rough traces: many zones of many pieces, with gaps shorter than any c
     forces_agree(*found, *cells, 1e-3);
   }
   CHECK(unresolved > 0);
+}
+
+// Chebyshev's polynomial T_n on [-1, 1] takes its least value, -1, at every second of the places cos(pi k/n). Under a
+// light load all of them touch. They are as many as the bound allows: in each of its cases a smaller bound is refuted.
+TEST_CASE("Chebyshev profiles have as many components as the bound allows, under any friction") {
+  Polynomial last({1}), chebyshev({0, 1});
+  for (std::size_t n = 1; n <= 6; ++n) {
+    for (const int sign : {1, -1}) {
+      const Indenter indenter(-1, {{1, Polynomial({sign}) * chebyshev}});
+      for (const std::vector<Rational>& s : {std::vector<Rational>{0.5_r, 0, 1.5_r}, {2, 1, 0.2_r}}) {
+        const ContactProblem problem = reduced(s, {-0.6_r, 0.1_r}, indenter, 1e-4_r);
+        CAPTURE(n);
+        CAPTURE(sign);
+        CHECK(solved<double>(problem)->contact().size() == most_components(problem));
+      }
+    }
+    const Polynomial next = Polynomial({0, 2}) * chebyshev - last;
+    last = chebyshev;
+    chebyshev = next;
+  }
+  // A punch in full contact, and a notch between two of them.
+  for (const Indenter& indenter : {one_piece(-1, 1, {3}), roof(1, -1)}) {
+    const ContactProblem problem = reduced({0.5_r, 0.1_r}, {0.1_r}, indenter, 0.01_r);
+    CHECK(solved<double>(problem)->contact().size() == most_components(problem));
+  }
 }
