@@ -1,123 +1,21 @@
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "numeric/closed_form/closed_form.hpp"
-#include "numeric/number/mapped.hpp"
+#include "numeric/riemann_hilbert/bracketed_tilt.hpp"
+#include "numeric/riemann_hilbert/contact_start.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
-#include "numeric/variational/coarse_contact.hpp"
 #include "numeric/variational/variational_inequality.hpp"
 
 namespace steadyslide::numeric {
 namespace {
 
-/// The start of a search: zones measured from `origin`, in the problem's unit of length.
-struct Start {
-  Rational origin;
-  std::vector<ContactInterval> zones;
-  double tilt = 0;
-
-  /// Returns a frame with its origin in the middle of the contact, in which the half-width is near 1.
-  Frame frame() const {
-    const double left = zones.front().left, right = zones.back().right;
-    int exponent = 0;
-    std::frexp((right > left ? right - left : 1) / 2, &exponent);
-    const Integer power = Integer(1) << std::abs(exponent);
-    return {origin + Rational((left + right) / 2), exponent >= 0 ? Rational(power) : Rational(1, power)};
-  }
-
-  std::vector<ContactInterval> in(const Frame& frame) const {
-    const double shift = to_real<double>((origin - frame.origin) / frame.unit);
-    const double unit = to_real<double>(frame.unit);
-    return mapped(zones, [&](const ContactInterval& zone) {
-      return ContactInterval{shift + zone.left / unit, shift + zone.right / unit, zone.left_at_edge,
-                             zone.right_at_edge};
-    });
-  }
-};
-
-/// Returns the problem with at most `most` friction jumps; each value is the mean over several pieces. A coarse
-/// solution divides its cells at every jump, and its cost grows with the cube of their number.
-ContactProblem with_fewer_jumps(const ContactProblem& problem, std::size_t most) {
-  const FrictionProfile& friction = problem.friction();
-  const std::size_t group = friction.jumps().size() / (most + 1) + 1;
-  if (group == 1) return problem;
-  std::vector<Rational> values;
-  std::vector<Rational> jumps;
-  Rational sum = 0;
-  Rational from = problem.indenter().left();
-  Rational left = from;
-  for (std::size_t k = 0; k < friction.values().size(); ++k) {
-    const bool last = k + 1 == friction.values().size();
-    const Rational right = last ? problem.indenter().right() : friction.jumps()[k];
-    sum += friction.values()[k] * (right - left);
-    left = right;
-    if (!last && (k + 1) % group != 0) continue;
-    values.push_back(sum / (right - from));
-    if (!last) jumps.push_back(right);
-    sum = 0;
-    from = right;
-  }
-  return problem.with_friction(FrictionProfile(std::move(values), std::move(jumps)));
-}
-
-Start coarse_start(const ContactProblem& problem, int cells) {
-  const CoarseContact coarse = coarse_contact(with_fewer_jumps(problem, static_cast<std::size_t>(cells) / 2), cells);
-  return {coarse.origin, coarse.zones, coarse.tilt};
-}
+constexpr std::size_t most_pieces_of_coarse_start = 64;
 
 template <Real R>
-Start start_from(const ContactProblem& problem, const ContactSolution<R>& solution) {
-  Start start{(problem.indenter().left() + problem.indenter().right()) / 2, {}, 0};
-  const R origin = to_real<R>(start.origin);
-  for (const ContactComponent<R>& component : solution.contact()) {
-    start.zones.push_back({static_cast<double>(component.left.x.value - origin),
-                           static_cast<double>(component.right.x.value - origin),
-                           component.left.kind != SingularKind::free, component.right.kind != SingularKind::free});
-  }
-  if (const auto tilt = solution.tilt()) {
-    start.tilt = static_cast<double>(tilt->value / to_real<R>(problem.elasticity().compliance()));
-  }
-  return start;
-}
-
-/// Returns the zones of a solution, from the lengths of its set; measured from an anchor if one is near.
-template <Real R>
-Start start_again(const RiemannHilbertSolution<R>& solution) {
-  const ContactSet<R>& set = solution.state().set;
-  const Frame& frame = solution.problem().frame();
-  const std::vector<std::size_t> begins = set.all(ContactSet<R>::Kind::begins);
-  const std::vector<std::size_t> ends = set.all(ContactSet<R>::Kind::ends);
-  const R hull = set.span_length();
-  std::size_t from = begins.front();
-  if (from > 0 && set.length(from - 1) <= hull) --from;
-  std::size_t to = ends.back();
-  if (to < set.segments() && set.length(to) <= hull) ++to;
-  std::size_t reference = from;
-  while (reference < to && !set.point(reference).anchor) ++reference;
-  const auto& anchor = set.point(reference).anchor;
-  const R unit = to_real<R>(frame.unit);
-  const auto offset = [&](std::size_t j) {
-    R sum = 0;
-    for (std::size_t k = j; k < reference; ++k) sum -= set.length(k);
-    for (std::size_t k = reference; k < j; ++k) sum += set.length(k);
-    return static_cast<double>(unit * sum);
-  };
-  Start start{
-      anchor ? solution.problem().place(*anchor) : Rational(frame.origin + frame.unit * Rational(set.x(reference))),
-      {},
-      static_cast<double>(solution.state().tilt)};
-  for (std::size_t i = 0; i < begins.size(); ++i) {
-    start.zones.push_back(
-        {offset(begins[i]), offset(ends[i]), !set.point(begins[i]).vanishes, !set.point(ends[i]).vanishes});
-  }
-  return start;
-}
-
-template <Real R>
-std::shared_ptr<RiemannHilbertSolution<R>> search_once(const ContactProblem& problem, const Start& start) {
+std::shared_ptr<RiemannHilbertSolution<R>> search_once(const ContactProblem& problem, const ContactStart& start) {
   const auto search = [&](const RoundedProblem<R>& reduced, JacobiRules<R>& rules) {
     const std::vector<ContactInterval> zones = start.in(reduced.frame());
     ContactSet<R> set(reduced, zones);
@@ -132,7 +30,7 @@ std::shared_ptr<RiemannHilbertSolution<R>> search_once(const ContactProblem& pro
 
 /// A contact far smaller than its frame needs its own frame, because its places are not accurate enough.
 template <Real R>
-std::shared_ptr<RiemannHilbertSolution<R>> search(const ContactProblem& problem, const Start& start) {
+std::shared_ptr<RiemannHilbertSolution<R>> search(const ContactProblem& problem, const ContactStart& start) {
   constexpr int max_frames = 12;
   auto solution = search_once<R>(problem, start);
   for (int i = 0; i < max_frames && solution->state().set.span_length() < R(0.01); ++i) {
@@ -190,11 +88,61 @@ std::shared_ptr<RiemannHilbertSolution<double>> search_from_nothing(const Contac
   for (const std::size_t cells : cells_per_piece) {
     if (solves(search_from_cells(problem, cells))) return best;
   }
-  if (pieces > 64) return best;
+  if (pieces > most_pieces_of_coarse_start) return best;
   for (const int cells : {48, 120, 300}) {
     if (solves(search<double>(problem, coarse_start(problem, cells)))) break;
   }
   return best;
+}
+
+/// Returns the problem with an indenter that keeps its attitude, turned by `tilt` about the place where the load acts.
+ContactProblem with_attitude(const ContactProblem& problem, double tilt) {
+  const Polynomial turned({-Rational(tilt) * *problem.load_at(), Rational(tilt)});
+  std::vector<Indenter::Piece> pieces = problem.indenter().pieces();
+  for (Indenter::Piece& piece : pieces) piece.profile = piece.profile + turned;
+  return {problem.elasticity(), problem.friction(), Indenter(problem.indenter().left(), std::move(pieces)),
+          problem.load(), problem.sliding()};
+}
+
+/// Returns a state of the problem that is no solution, with its reason.
+std::shared_ptr<RiemannHilbertSolution<double>> failed(const ContactProblem& problem,
+                                                       const RiemannHilbertSolution<double>& reached,
+                                                       const std::string& why) {
+  const auto state = [&](const RoundedProblem<double>& reduced, JacobiRules<double>&) {
+    const ContactState<double>& old = reached.state();
+    return SearchResult<double>{{ContactSet<double>::converted(reduced, old.set), old.q, old.tilt}, {}, why};
+  };
+  return std::make_shared<RiemannHilbertSolution<double>>(problem, reached.problem().frame(), state);
+}
+
+/// Brackets the tilt by problems with a given attitude, then lets Newton's method go on from there. `stalled` is the
+/// state that Newton's method has reached without it.
+std::shared_ptr<RiemannHilbertSolution<double>> search_by_attitude(const ContactProblem& problem,
+                                                                   const RiemannHilbertSolution<double>& stalled) {
+  const auto compliance = to_real<double>(problem.elasticity().compliance());
+  const auto load = to_real<double>(problem.load());
+  const auto load_at = to_real<double>(*problem.load_at());
+  const auto width = to_real<double>(Rational(problem.indenter().right() - problem.indenter().left()));
+  std::shared_ptr<RiemannHilbertSolution<double>> last;
+  std::string why = stalled.failed_condition() + "; no bracket of the tilt was found";
+  const auto offset = [&](double tilt) -> std::optional<double> {
+    const ContactProblem fixed = with_attitude(problem, tilt);
+    std::shared_ptr<RiemannHilbertSolution<double>> found;
+    if (last) found = search<double>(fixed, start_again(*last));
+    if (!found || !found->failed_condition().empty()) found = search_from_nothing(fixed);
+    if (!found->failed_condition().empty()) {
+      why = stalled.failed_condition() + "; with the tilt " + std::to_string(tilt) + ": " + found->failed_condition();
+      return std::nullopt;
+    }
+    last = std::move(found);
+    return last->resultants().centre_of_pressure.value - load_at;
+  };
+  const std::optional<double> tilt =
+      bracketed_tilt(offset, compliance * coarse_start(problem, 48).tilt, compliance * load / width / 16);
+  if (!tilt || !offset(*tilt)) return failed(problem, stalled, why);
+  ContactStart start = start_again(*last);
+  start.tilt = *tilt / compliance;
+  return search<double>(problem, start);
 }
 
 }  // namespace
@@ -224,6 +172,9 @@ Attempt<R> riemann_hilbert(const ContactProblem& problem, const ContactSolution<
   std::shared_ptr<RiemannHilbertSolution<double>> rough;
   if (start) rough = search<double>(problem, start_from(problem, *start));
   if (!rough || !rough->failed_condition().empty()) rough = search_from_nothing(problem);
+  const bool has_coarse_start = problem.indenter().pieces().size() <= most_pieces_of_coarse_start;
+  if (problem.load_at() && has_coarse_start && !rough->failed_condition().empty())
+    rough = search_by_attitude(problem, *rough);
   std::shared_ptr<RiemannHilbertSolution<R>> solution;
   if constexpr (std::same_as<R, double>) {
     solution = std::move(rough);

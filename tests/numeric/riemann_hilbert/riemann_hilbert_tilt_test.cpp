@@ -1,5 +1,6 @@
 // Indenters that may tilt.
 
+#include "numeric/riemann_hilbert/bracketed_tilt.hpp"
 #include "support/solved_contact.hpp"
 
 namespace {
@@ -57,4 +58,22 @@ TEST_CASE("tilting does what an incline of the profile does") {
   const auto fixed = solved<Real50>(on_two_coatings(one_piece(-1, 1, {0, tilt, 1}), 1));
   agree(fixed->resultants().centre_of_pressure.value, to_real<Real50>(load_at));
   solutions_agree<Real50, Real50>(*fixed, *free, 20 * epsilon<Real50>());
+}
+
+TEST_CASE("the tilt is bracketed from either side, from near and from far") {
+  for (const double root : {-3e4, -1.0, 1e-9, 0.25, 7e5}) {
+    for (const double start : {-2.0, 0.0, 0.25, 1e6}) {
+      // Strictly falling, flat far away, with a corner at the root.
+      const auto offset = [&](double tilt) -> std::optional<double> {
+        return tilt < root ? std::atan(root - tilt) : 9 * std::atan(root - tilt);
+      };
+      const std::optional<double> found = bracketed_tilt(offset, start, 1e-3);
+      REQUIRE(found);
+      CHECK(std::abs(*found - root) <= 1e-12 * std::max({1.0, std::abs(root)}));
+    }
+  }
+  // Absent: an attitude that is not solved, and no change of sign.
+  const auto unsolved = [](double tilt) { return tilt < 3 ? std::optional(5 - tilt) : std::nullopt; };
+  CHECK_FALSE(bracketed_tilt(unsolved, 0, 1));
+  CHECK_FALSE(bracketed_tilt([](double) { return std::optional(1.0); }, 0, 1));
 }
