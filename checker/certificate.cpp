@@ -169,11 +169,11 @@ Certificate Certificate::read(const Reader& at) {
     read_boxes(at["boxes"], problem, c);
   }
   const Reader claims = at["claims"];
-  claims.check_keys({"exists", "unique_by_theorem_1"});
+  // Certificates of earlier versions also say if theorem 1 of [Bal16] applies.
+  claims.check_keys({"exists"}, {"unique_by_theorem_1"});
   if (!claims["exists"].boolean())
     claims["exists"].fail("nothing claimed", "a certificate claims that a solution exists");
-  c.unique_by_theorem_1 = claims["unique_by_theorem_1"].boolean();
-  if (c.unique_by_theorem_1 != c.problem.theorem_1_applies()) {
+  if (claims.has("unique_by_theorem_1") && claims["unique_by_theorem_1"].boolean() != c.problem.theorem_1_applies()) {
     claims["unique_by_theorem_1"].fail(
         "wrong claim of uniqueness",
         "theorem 1 wants s nondecreasing towards +x, no step of the profile and no load_at, and then it holds");

@@ -60,7 +60,6 @@ struct Certificate {
   Rational unit;
   int bits = 0;
   std::vector<Box> boxes;  ///< for consecutive loads, which cover all loads of the problem
-  bool unique_by_theorem_1 = false;
 
   /// Reads a certificate of kind "solution" or "loads".
   static Certificate read(const Reader& at);

@@ -48,8 +48,8 @@ struct Problem {
   std::string difference(const Problem& file) const;
   /// Returns +-gamma f for friction value k, with the sign of the sliding direction.
   Rational s(std::size_t k) const { return Rational(slides_to_plus_x ? 1 : -1) * gamma * friction[k]; }
-  /// True if s never decreases, the profile has no step and the indenter cannot tilt. Then there is at most one
-  /// solution, by theorem 1 of [Bal16].
+  /// True if s never decreases, the profile has no step and the indenter cannot tilt. Then theorem 1 of [Bal16]
+  /// applies, and the energy bounds errors.
   bool theorem_1_applies() const;
 };
 

@@ -26,7 +26,7 @@ Failure inapplicable(const Problem& problem, Method method, const std::string& r
   return {ExitCode::bad_input, problem.file + ": " + reason};
 }
 
-/// A progress bar for one solve on cells, or for one search.
+/// A progress bar for one solve on cells.
 std::function<void(std::size_t, std::size_t)> follow(Progress& progress) {
   return [&progress](std::size_t part, std::size_t whole) { progress.show(part, whole); };
 }
@@ -174,44 +174,6 @@ ExitCode follow_loads(const SolveOptions& options, const Problem& problem) {
                             failed.reason.empty() ? failed.failed_condition : failed.reason));
 }
 
-/// Returns the reason if the search found no solution; otherwise an empty text.
-std::string nothing_found(const SearchText& search) {
-  if (search.solutions.empty()) return fmt::format("none of {} starts led to one", search.starts);
-  for (const FoundText& found : search.solutions) {
-    if (found.variational.is_solved() || found.refined) return "";
-  }
-  return search.solutions.front().variational.failed_condition;
-}
-
-numeric::SolutionSearch search_shown(const SolveOptions& options, const Problem& problem) {
-  numeric::VariationalOptions variational = options.variational();
-  Progress progress(1);
-  variational.progress = follow(progress);
-  return numeric::search_solutions(problem.contact, options.search_starts, variational);
-}
-
-ExitCode search(const SolveOptions& options, const Problem& problem) {
-  Output output(options.common.output);
-  const numeric::SolutionSearch found = search_shown(options, problem);
-  if (!found.reason.empty()) throw inapplicable(problem, options.method, found.reason);
-  SearchText text{found.starts, found.unsolved, found.refinements, {}, uniqueness(problem.contact), {}, {}};
-  const SolutionWanted wanted{options.common.digits};
-  for (const numeric::FoundSolution& solution : found.solutions) {
-    FoundText shown{solution.times, text_on_cells(problem, *solution.variational, wanted), std::nullopt};
-    if (solution.refined) shown.refined = solution_text(problem, *solution.refined, wanted);
-    if (shown.refined && !shown.refined->is_solved()) shown.refined.reset();
-    for (const std::string& what : shown.variational.warnings) {
-      text.warnings.push_back(fmt::format("solution {}: {}", text.solutions.size() + 1, what));
-    }
-    text.solutions.push_back(std::move(shown));
-  }
-  text.failed_condition = nothing_found(text);
-  write(options, problem, text, output);
-  if (text.failed_condition.empty()) return ExitCode::done;
-  throw Failure(ExitCode::refuted,
-                fmt::format("{}: the search found no solution: {}", problem.file, text.failed_condition));
-}
-
 ExitCode run_solve(const Given& given) {
   const SolveOptions options = solve_options(given);
   const Problem problem = read_problem(given.text("PROBLEM"));
@@ -221,7 +183,6 @@ ExitCode run_solve(const Given& given) {
     checked(friction == 0 ? "--tolerance-profile" : "--tolerance-friction",
             [&] { return enclosure::ToleranceBand(problem.contact, profile, friction); });
   }
-  if (options.search_starts > 0) return search(options, problem);
   if (options.both_directions) return solve_both_directions(options, problem);
   return options.load_steps.empty() ? solve_once(options, problem) : follow_loads(options, problem);
 }

@@ -44,8 +44,7 @@ void refuse_conflicts(const Given& given, const SolveOptions& options) {
     const bool found = has_option && other != others.end();
     return Refusal{found, option + ": conflicting option", rule, found ? *other : ""};
   };
-  const bool follows = !options.load_steps.empty(), both = options.both_directions,
-             searches = options.search_starts > 0;
+  const bool follows = !options.load_steps.empty(), both = options.both_directions;
   const bool csv = options.common.format == Format::csv;
   constexpr const char* one_table = "a CSV file is one table";
   constexpr std::initializer_list<const char*> no_intervals{"--load-steps", "--both-directions"};
@@ -54,8 +53,7 @@ void refuse_conflicts(const Given& given, const SolveOptions& options) {
       conflict("--load-steps", follows, {"--at", "--at-file", "--samples"}, "samples are those of one load"),
       conflict("--load-steps", follows, {"--stress-at", "--loads-on", "--max-stress"},
                "stresses and forces are those of one load"),
-      conflict("--plot", options.plot.has_value(), {"--load-steps", "--search-solutions"},
-               "a picture shows one solution"),
+      conflict("--plot", options.plot.has_value(), {"--load-steps"}, "a picture shows one solution"),
       {given.has("--jobs") && !options.certify, "--jobs: nothing to share", "it goes with --certify",
        given.text("--jobs")},
       {given.has("--depth") && !given.has("--max-stress"), "--max-stress: missing",
@@ -69,19 +67,11 @@ void refuse_conflicts(const Given& given, const SolveOptions& options) {
       conflict("--tolerance-friction", given.has("--tolerance-friction"), no_intervals, one_load_and_direction),
       conflict("--tolerance-profile", csv && given.has("--tolerance-profile"), {"--format"}, one_table),
       conflict("--tolerance-friction", csv && given.has("--tolerance-friction"), {"--format"}, one_table),
-      conflict("--certify", options.certify, {"--search-solutions"}, "it proves one solution"),
-      conflict("--both-directions", both, {"--load-steps", "--search-solutions"},
-               "it is for one solution of each direction"),
+      conflict("--both-directions", both, {"--load-steps"}, "it is for one solution of each direction"),
       conflict("--both-directions", both, {"--certificate"}, "a certificate is of one direction"),
       conflict("--both-directions", both, {"--plot"}, "a picture shows one solution"),
       conflict("--both-directions", both, {"--stress-at", "--loads-on", "--max-stress"},
                "stresses and forces are those of one direction"),
-      conflict("--search-solutions", searches,
-               {"--at", "--at-file", "--samples", "--load-steps", "--stress-at", "--loads-on", "--max-stress"},
-               "it compares contact zones and resultants under the file's load"),
-      {searches && (options.method == Method::closed_form || options.method == Method::riemann_hilbert),
-       "--search-solutions: conflicting option", "it searches by the variational method",
-       "--method " + options.method_name},
   });
 }
 
@@ -130,8 +120,6 @@ std::vector<Option> solve_option_list() {
         Option::Kind::flag},
        {"--depth", "Z", "At depths of at least Z; default 0, or where stresses have no bound width/100"},
        {"--load-steps", "LIST", "The contact under each of these loads, one row for each component"},
-       {"--search-solutions", "N",
-        "Start from N contact sets, 1 to 1000: do all lead to one solution? By the variational method"},
        {"--tolerance-profile", "E", "Intervals of load shares and friction for all profiles within E; f must not fall"},
        {"--tolerance-friction", "D", "The same for all frictions within D"},
        certify_option("Prove the solution, enclose every number in ball arithmetic; exit code 1 if unproved"),
@@ -157,7 +145,6 @@ SolveOptions solve_options(const Given& given) {
   options.samples = given.count("--samples", 1, 100000).value_or(0);
   options.cells = given.count("--cells", numeric::fewest_cells, numeric::most_cells);
   options.iterations = given.count("--iterations", 1, 10000);
-  options.search_starts = given.count("--search-solutions", 1, 1000).value_or(0);
   refuse_conflicts(given, options);
   options.field = field_wanted(given);
   options.tolerance = tolerance_wanted(given);
@@ -165,12 +152,10 @@ SolveOptions solve_options(const Given& given) {
 }
 
 void check_method(const SolveOptions& options, const Problem& problem) {
-  const bool on_cells = options.search_starts > 0 ||
-                        takes_variational(options.method, problem.contact, options.certify, options.common.digits);
+  const bool on_cells = takes_variational(options.method, problem.contact, options.certify, options.common.digits);
   const bool proves_on_cells = on_cells && options.certify;
   const std::string method = "--method " + options.method_name, digits = std::to_string(options.common.digits);
-  const std::string cells_rule =
-      "it goes with --method variational, with auto where that takes it, and with --search-solutions";
+  const std::string cells_rule = "it goes with --method variational, and with auto where that takes it";
   refuse({
       {on_cells && numeric::precision_for(options.common.digits) != numeric::Digits::sixteen, "--digits: out of range",
        digits_on_cells, digits},

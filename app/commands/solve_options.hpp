@@ -23,7 +23,6 @@ struct SolveOptions {
   int samples;             ///< 0 for none
   std::string load_steps;  ///< a list; empty for the load of the file
   unsigned jobs;           ///< number of threads of a proof
-  int search_starts;       ///< starts of a search for several solutions; 0 for one solve
   std::optional<int> cells;
   std::optional<int> iterations;
   bool certify;

@@ -16,18 +16,14 @@ SolutionText inapplicable(const std::string& reason) {
 
 }  // namespace
 
-SolutionText text_on_cells(const Problem& problem, const numeric::ContactSolution<double>& solution,
-                           SolutionWanted wanted) {
-  wanted.largest_residual = numeric::infinity<double>();
-  SolutionText text = solution_text(problem, solution, wanted);
-  if (text.is_solved() && !text.in_range) text.failed_condition = "values out of the range of double";
-  return text;
-}
-
 SolutionText Solver::solve_on_cells(const Problem& problem) const {
   const auto found = numeric::variational_inequality(problem.contact, wanted_.variational);
   if (!found.solution) return inapplicable(found.reason);
-  SolutionText text = text_on_cells(problem, *found.solution, wanted_.solution);
+  SolutionWanted wanted = wanted_.solution;
+  // A solution on cells judges its residuals itself.
+  wanted.largest_residual = numeric::infinity<double>();
+  SolutionText text = solution_text(problem, *found.solution, wanted);
+  if (text.is_solved() && !text.in_range) text.failed_condition = "values out of the range of double";
   if (wanted_.certify) {
     const auto& on_cells = dynamic_cast<const numeric::VariationalSolution&>(*found.solution);
     add_bound(text, problem, enclosure::bound_cells(problem.contact, on_cells.touching_pressures()));

@@ -59,8 +59,4 @@ class Solver {
   std::tuple<Solution<double>, Solution<numeric::Real50>, Solution<numeric::Real100>> last_;
 };
 
-/// The text of a variational solution; it judges its residuals itself.
-SolutionText text_on_cells(const Problem& problem, const numeric::ContactSolution<double>& solution,
-                           SolutionWanted wanted);
-
 }  // namespace steadyslide::app

@@ -186,7 +186,8 @@ SolutionText solution_text(const Problem& problem, const numeric::ContactSolutio
   text.failed_condition = library::failed_condition(solution, residuals, wanted.largest_residual, writer.converged());
   writer.tell("residuals");
   text.residuals = writer.sizes(named(residuals));
-  text.uniqueness = uniqueness(problem.contact);
+  text.uniqueness =
+      std::string("uniqueness theorem for a given ") + (problem.contact.load_at() ? "line of action" : "attitude");
   return text;
 }
 

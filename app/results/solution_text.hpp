@@ -12,7 +12,6 @@
 #include "library/problem_file/problem_file.hpp"
 #include "library/solve/failed_condition.hpp"
 #include "library/text/number_format.hpp"
-#include "model/uniqueness.hpp"
 #include "numeric/solution/contact_solution.hpp"
 
 namespace steadyslide::app {
@@ -73,8 +72,8 @@ struct NamedSize {
   std::string size;
 };
 
-/// The statement of theorem 1 of the paper for a solution with Uniqueness::proved.
-inline constexpr const char* unique_by_theorem = "unique by theorem 1 of [Bal16]";
+/// Every solution is the only one, because the theorem on uniqueness covers every contact problem (docs/theory.md).
+inline constexpr const char* only_solution = "the only solution";
 
 /// The result of a proof, if one was requested.
 struct ProofText {
@@ -112,7 +111,7 @@ struct SolutionText {
   std::vector<SampleText> curve;  ///< for a picture, left to right; from the solver even if the rest is proved
   std::vector<NamedSize> errors;  ///< relative; estimated, or proved if the solution is proved
   std::vector<NamedSize> residuals;
-  Uniqueness uniqueness;
+  std::string uniqueness;        ///< the theorem that says so
   std::string reason;            ///< not empty: the method does not apply, and the other members are empty
   std::string failed_condition;  ///< not empty: this is not a solution; the reason
   std::vector<std::string> warnings;

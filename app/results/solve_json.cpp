@@ -206,12 +206,9 @@ Json solution_json(const SolutionText& solution) {
   return json;
 }
 
-/// `Result` is a solution, or a search for several solutions.
-template <class Result>
-Json uniqueness_json(const Result& result) {
-  if (!result.failed_condition.empty()) return {{"status", "not_solved"}, {"reason", result.failed_condition}};
-  const auto& [proved, reason] = result.uniqueness;
-  return {{"status", proved ? unique_by_theorem : "not_covered"}, {"reason", reason}};
+Json uniqueness_json(const SolutionText& solution) {
+  if (!solution.failed_condition.empty()) return {{"status", "not_solved"}, {"reason", solution.failed_condition}};
+  return {{"status", only_solution}, {"reason", solution.uniqueness}};
 }
 
 /// The beginning of every result.
@@ -220,23 +217,14 @@ Json heading(const Problem& problem) {
 }
 
 /// The end of every result: failed condition, uniqueness and warnings.
-template <class Result>
-Json finished(Json json, const Result& result) {
-  json["failed_condition"] = text_json(result.failed_condition);
-  json["uniqueness"] = uniqueness_json(result);
-  json["warnings"] = result.warnings;
+Json finished(Json json, const SolutionText& solution) {
+  json["failed_condition"] = text_json(solution.failed_condition);
+  json["uniqueness"] = uniqueness_json(solution);
+  json["warnings"] = solution.warnings;
   return json;
 }
 
 void write(const Json& json, Output& output) { output.write(json.dump(2) + "\n"); }
-
-/// A solution of a search. It has no samples.
-Json found_json(const SolutionText& solution) {
-  Json json = solution_json(solution);
-  json.erase("samples");
-  json["failed_condition"] = text_json(solution.failed_condition);
-  return json;
-}
 
 }  // namespace
 
@@ -287,20 +275,6 @@ void write_json(const Problem& problem, const BothText& both, Output& output) {
   json["other_direction"] = {{"sliding", name_of(opposite(problem.contact.sliding()))}};
   json["other_direction"].update(finished(solution_json(both.opposite), both.opposite));
   write(json, output);
-}
-
-void write_json(const Problem& problem, const SearchText& search, Output& output) {
-  Json json = heading(problem);
-  json["search"] = {{"starts", search.starts},
-                    {"unsolved", search.unsolved},
-                    {"agreed", search.agreed()},
-                    {"different_refinements", search.refinements}};
-  json["solutions"] = array(search.solutions, [](const FoundText& found) -> Json {
-    return {{"times", found.times},
-            {"variational", found_json(found.variational)},
-            {"refined", found.refined ? found_json(*found.refined) : Json()}};
-  });
-  write(finished(std::move(json), search), output);
 }
 
 }  // namespace steadyslide::app

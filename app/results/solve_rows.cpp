@@ -89,26 +89,6 @@ void write_csv(const Problem& problem, const BothText& both, Output& output) {
   rows.end();
 }
 
-void write_csv(const Problem&, const SearchText& search, Output& output) {
-  Rows rows(Format::csv,
-            joined({"solution", "times", "component"}, component_columns,
-                   {"equation", "load", "penetration", "tension", "refined"}),
-            output);
-  int number = 0;
-  for (const auto& [times, solution, refined] : search.solutions) {
-    ++number;
-    std::vector<Cell> residuals;
-    for (const NamedSize& residual : solution.residuals) residuals.emplace_back(residual.size);
-    residuals.emplace_back(refined ? "yes" : "no");
-    int component = 0;
-    for (const Ends& ends : solution.contact) {
-      rows.row(joined({std::to_string(number), std::to_string(times), std::to_string(++component)},
-                      component_cells(solution, ends), residuals));
-    }
-  }
-  rows.end();
-}
-
 void write_load_steps(Format format, const std::vector<LoadStep>& steps, bool certify, Output& output) {
   std::vector<Column> last{"failed_condition"};
   if (format == Format::json) last.push_back({"warnings"});

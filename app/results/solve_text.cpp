@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -20,8 +19,6 @@ std::string shown(const LimitText& limits) {
   const std::string right = shown(limits.right);
   return left != right ? left + " | " + right : left;
 }
-
-std::string counted(int n, const std::string& what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
 
 void write_line(Output& output, const std::string& name, const std::string& value) {
   output.write(fmt::format("  {:<22}{}\n", name, shown(value)));
@@ -174,38 +171,6 @@ void write_sizes(const std::string& heading, const std::vector<NamedSize>& sizes
   for (const auto& [name, size] : sizes) write_line(output, name, size);
 }
 
-/// Writes whether the solution is unique. Writes nothing if there is no solution.
-template <class Result>
-void write_uniqueness(const Result& result, Output& output) {
-  if (!result.failed_condition.empty()) return;
-  const auto& [proved, reason] = result.uniqueness;
-  output.write(fmt::format("\n{}, {}\n", proved ? unique_by_theorem : "uniqueness: not covered", reason));
-}
-
-std::string outcome(const SearchText& search) {
-  const std::string starts = counted(search.starts, "start");
-  if (search.agreed()) return starts + ", one solution";
-  std::string text = starts + ", " + counted(static_cast<int>(search.solutions.size()), "solution");
-  if (search.unsolved > 0) text += fmt::format("; {} led to none", search.unsolved);
-  return text;
-}
-
-void write_found(const SolutionText& solution, Output& output) {
-  write_contact(solution, output);
-  for (const auto& [name, number] : {std::pair("effective friction", &solution.resultants.effective_friction),
-                                     std::pair("centre of pressure", &solution.resultants.centre_of_pressure)}) {
-    write_line(output, name, number->shown);
-  }
-  if (solution.resultants.tilt) write_line(output, "tilt", solution.resultants.tilt->shown);
-  std::vector<std::string> residuals;
-  for (const auto& [name, size] : solution.residuals) residuals.push_back(name + " " + shown(size));
-  write_line(output, "residuals", fmt::format("{}", fmt::join(residuals, ", ")));
-}
-
-}  // namespace
-
-namespace {
-
 void write_unproved(const std::string& why_not, Output& output) {
   output.write(fmt::format("\nnot proved: {}\n", why_not));
 }
@@ -262,7 +227,7 @@ void write_text(const Problem& problem, const SolutionText& solution, Output& ou
   if (solution.proof) write_proof(*solution.proof, output);
   if (solution.bound) write_bound(*solution.bound, output);
   if (solution.tolerance) write_tolerance(problem, *solution.tolerance, output);
-  write_uniqueness(solution, output);
+  if (solution.is_solved()) output.write(fmt::format("\n{}, by the {}\n", only_solution, solution.uniqueness));
 }
 
 void write_text(const Problem& problem, const BothText& both, Output& output) {
@@ -289,23 +254,6 @@ void write_text(const Problem& problem, const BothText& both, Output& output) {
     return solution.is_solved() ? std::string("yes") : solution.reason + solution.failed_condition;
   });
   rows.end();
-}
-
-void write_text(const Problem& problem, const SearchText& search, Output& output) {
-  write_problem(problem.contact, output);
-  output.write(outcome(search) + "\n");
-  int number = 0;
-  for (const auto& [times, variational, refined] : search.solutions) {
-    output.write(fmt::format("\nsolution {}, met {}, on cells\n", ++number, counted(times, "time")));
-    write_found(variational, output);
-    output.write(refined ? "refined by the Riemann-Hilbert method\n"
-                         : "the Riemann-Hilbert method finds no solution there\n");
-    if (refined) write_found(*refined, output);
-  }
-  if (search.solutions.size() > 1 && search.refinements == 1) {
-    output.write("\nthe refinements are one solution: more cells tell whether there are several\n");
-  }
-  write_uniqueness(search, output);
 }
 
 }  // namespace steadyslide::app

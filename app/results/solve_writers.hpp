@@ -22,34 +22,12 @@ struct BothText {
   std::vector<std::string> warnings;  ///< for both directions
 };
 
-/// One of the solutions that a search found.
-struct FoundText {
-  int times;
-  SolutionText variational;
-  std::optional<SolutionText> refined;  ///< by the Riemann-Hilbert method; absent if that finds no solution
-};
-
-struct SearchText {
-  int starts;
-  int unsolved;
-  int refinements;  ///< number of different refined solutions
-  std::vector<FoundText> solutions;
-  Uniqueness uniqueness;
-  std::vector<std::string> warnings;  ///< for all solutions
-  std::string failed_condition;       ///< not empty: none of them is a solution; the reason
-
-  /// True if every start led to the same solution.
-  bool agreed() const { return solutions.size() == 1 && unsolved == 0; }
-};
-
 /// Writes a summary for readers, and the samples if there are any.
 void write_text(const Problem& problem, const SolutionText& solution, Output& output);
-void write_text(const Problem& problem, const SearchText& search, Output& output);
 /// The first summary, and the main results of both directions side by side.
 void write_text(const Problem& problem, const BothText& both, Output& output);
 /// Writes the whole result, with the problem as it was read.
 void write_json(const Problem& problem, const SolutionText& solution, Output& output);
-void write_json(const Problem& problem, const SearchText& search, Output& output);
 void write_json(const Problem& problem, const BothText& both, Output& output);
 /// One row for each point, or for each node. The gradient of the displacement is left out.
 void write_stresses(Format format, const FieldText& field, Output& output);
@@ -57,8 +35,6 @@ void write_nodal_forces(Format format, const FieldText& field, Output& output);
 /// Writes stresses, nodal forces or the largest stress, if one of them was requested (docs/finite-elements.md); otherwise the
 /// samples (docs/results.md). A sample has two rows if a left and a right limit differ.
 void write_csv(const Problem& problem, const SolutionText& solution, Output& output);
-/// Writes one row for each solution and contact component.
-void write_csv(const Problem& problem, const SearchText& search, Output& output);
 /// Writes the samples of both directions; the first column is the direction of sliding.
 void write_csv(const Problem& problem, const BothText& both, Output& output);
 

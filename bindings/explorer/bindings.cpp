@@ -13,7 +13,6 @@
 #include "library/answer/solved_contact.hpp"
 #include "library/problem_file/file_error.hpp"
 #include "library/problem_file/problem_file.hpp"
-#include "model/uniqueness.hpp"
 #include "numeric/closed_form/closed_form.hpp"
 #include "numeric/interior/interior_stress.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
@@ -131,8 +130,7 @@ class Explorer {
          {"contact", contact(*solution_)},
          {"singular_points", shown(solution_->singular_points())},
          {"resultants", resultants(*problem_, *solution_)},
-         {"other_direction", object({{"effective_friction", shown(opposite_->resultants().effective_friction)}})},
-         {"unique", val(uniqueness(*problem_).proved)}});
+         {"other_direction", object({{"effective_friction", shown(opposite_->resultants().effective_friction)}})}});
   }
 
   /// Samples of the surface: `count` places in each contact component and gap. An unbounded traction is infinite; the

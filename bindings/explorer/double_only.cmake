@@ -6,7 +6,7 @@
 #   double_exponential_grid       residuals above double
 #   gsl_quadrature                a third route, for tests: refused
 #   fourier                       the same transforms by Eigen's FFT; no solution here is large enough to need one
-#   rear_share, solution_search   needed by other commands than `solve`; Arb and threads
+#   rear_share                    needed by other commands than `solve`; Arb
 #   power_product_avx*            other processors' instructions
 #   profile_trace                 measured profiles, which are files
 set(double_only_folder "${CMAKE_CURRENT_LIST_DIR}")
@@ -18,7 +18,7 @@ function(steadyslide_double_only name)
   set(not_model "^$")
   set(only_numeric "${root}")
   set(not_numeric "numeric/(number/mpfr_real|number/elementary|number/power_product_avx|quadrature/double_exponential_grid|\
-quadrature/gsl_quadrature|variational/fourier|solution/solution_search|flat_punch/rear_share)")
+quadrature/gsl_quadrature|variational/fourier|flat_punch/rear_share)")
   set(only_library "library/(problem_file/|text/one_line|text/utf8)")
   set(not_library "library/problem_file/(profile_trace|surface_files|table_reader)")
 

@@ -47,6 +47,10 @@ struct CellBound {
   std::vector<std::array<Rational, 2>> reaches;
 };
 
+/// Returns the condition of the estimate that the problem does not meet: s nowhere decreases towards +x, for both
+/// directions of sliding and both signs of gamma; no step; the attitude is given. Empty if it meets all.
+std::string why_energy_bounds_nothing(const ContactProblem& problem);
+
 /// Proves the bound. `pressures` are -t on equal cells of the whole support, in the user's units. They are scaled so
 /// that their resultant is exactly P. A resultant that differs from P by more than 10^-6 is refused, and so are
 /// pressures that are negative or not finite.

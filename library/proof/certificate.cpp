@@ -8,7 +8,6 @@
 
 #include "library/text/number_format.hpp"
 #include "library/text/version.hpp"
-#include "model/uniqueness.hpp"
 
 namespace steadyslide::library {
 namespace {
@@ -95,8 +94,8 @@ Json interval_json(const Ball& ball) {
   return {below((ball.lower() - room).lower()), above((ball.upper() + room).upper())};
 }
 
-std::string finished(Json json, const ContactProblem& problem) {
-  json["claims"] = {{"exists", true}, {"unique_by_theorem_1", uniqueness(problem).proved}};
+std::string finished(Json json) {
+  json["claims"] = {{"exists", true}};
   return json.dump(2) + "\n";
 }
 
@@ -111,7 +110,7 @@ std::string certificate(const ContactProblem& problem, const enclosure::ContactP
     const Ball width = unit * max(Ball(1), abs(proved));
     return Ball::plus_or_minus(proved, width.upper()).dump();
   });
-  return finished(std::move(json), problem);
+  return finished(std::move(json));
 }
 
 std::string certificate(const ContactProblem& problem, const enclosure::CellBound& bound) {
@@ -142,7 +141,7 @@ std::string certificate(const ContactProblem& problem, const std::vector<enclosu
   Json json = heading("loads", problem, intervals.front().proof.problem.frame, bits);
   json["problem"]["loads"] = exact_numbers({intervals.front().from, intervals.back().to});
   json["boxes"] = std::move(boxes);
-  return finished(std::move(json), problem);
+  return finished(std::move(json));
 }
 
 }  // namespace steadyslide::library

@@ -201,8 +201,7 @@ CellSet prolonged(const CellSet& set, std::size_t cells) {
   return result;
 }
 
-NestedResult solve_nested(const ContactProblem& problem, const VariationalOptions& options,
-                          const std::optional<CellSet>& start) {
+NestedResult solve_nested(const ContactProblem& problem, const VariationalOptions& options) {
   const CellProfile profile(problem, CellMesh(problem, 1).frame());
   const std::vector<std::size_t> sizes = mesh_sizes(options.cells);
   const std::size_t total = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
@@ -223,7 +222,7 @@ NestedResult solve_nested(const ContactProblem& problem, const VariationalOption
     on_mesh.first_tolerance = std::max(0.05 * std::pow(static_cast<double>(n), -1.5), on_mesh.tolerance);
     on_mesh.most_steps = options.most_steps;
     on_mesh.after_step = [&](std::size_t) { report(); };
-    CellSet contact = start ? prolonged(*start, n) : CellSet(n, 1);
+    CellSet contact(n, 1);
     DiscreteState guess{std::vector<double>(n)};
     if (coarse.problem) {
       contact = refined_contact(coarse, n);

@@ -3,7 +3,6 @@
 // each half as fine as the next; the contact on one mesh is the start on the next one.
 
 #include <functional>
-#include <optional>
 
 #include "numeric/variational/bordered_system.hpp"
 #include "numeric/variational/certificate.hpp"
@@ -54,10 +53,9 @@ struct NestedResult {
   Certificate certificate;
 };
 
-/// Solves on nested meshes. `start` is the initial contact for the coarsest mesh, on any number of equal cells; absent:
-/// contact everywhere. Progress is reported after each step of the active sets, in proportion to the cost.
-NestedResult solve_nested(const ContactProblem& problem, const VariationalOptions& options,
-                          const std::optional<CellSet>& start = {});
+/// Solves on nested meshes, on the coarsest one from contact everywhere. Progress is reported after each step of the
+/// active sets, in proportion to the cost.
+NestedResult solve_nested(const ContactProblem& problem, const VariationalOptions& options);
 
 /// Solves an already discretised problem, from a contact set that is not empty, and a state.
 MeshSolution solve_on_cells(std::shared_ptr<const DiscreteProblem> problem, CellSet start, const DiscreteState& guess,

@@ -3,7 +3,7 @@
 // logarithmic integrals, active sets, products by FFT. It uses no exponents. So it checks the Riemann-Hilbert solver
 // independently, and is the method for measured profiles. [Bal16, section 3.1]
 
-#include <cstdint>
+#include <cstddef>
 #include <functional>
 
 #include "numeric/solution/contact_solution.hpp"
@@ -31,29 +31,5 @@ struct VariationalOptions {
 /// decide if the gap exists. Intensities are fitted if there are enough cells; otherwise their error is infinite.
 /// Singular points that the cells cannot separate are left out.
 Attempt<double> variational_inequality(const ContactProblem& problem, const VariationalOptions& options = {});
-
-/// One of the solutions that a search found.
-struct FoundSolution {
-  std::shared_ptr<const ContactSolution<double>> variational;
-  std::shared_ptr<const ContactSolution<double>> refined;  ///< by Riemann-Hilbert, with the same contact; may be null
-  int times = 0;                                           ///< number of starts that led to it
-};
-
-struct SolutionSearch {
-  int starts = 0;
-  int unsolved = 0;                      ///< number of starts that led to no solution
-  std::vector<FoundSolution> solutions;  ///< the most frequent ones first
-  /// The number of different refined solutions. With a strong decrease of s, few cells can have several solutions where
-  /// more cells have only one.
-  int refinements = 0;
-  std::string reason;
-};
-
-/// Starts from `starts` >= 1 different contact sets: the whole support, then random ones (with a fixed seed) from
-/// single spots to almost the whole support. Two solutions count as one if their tractions differ by less than a
-/// hundredth of the load, int |t - t'| < P/100, or by less than the change on doubling the cells. Always uses
-/// Galerkin's rule, because theorems on the number of solutions hold for it.
-SolutionSearch search_solutions(const ContactProblem& problem, int starts, const VariationalOptions& options = {},
-                                std::uint64_t seed = 2016);
 
 }  // namespace steadyslide::numeric

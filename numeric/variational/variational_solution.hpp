@@ -18,7 +18,6 @@ class VariationalSolution : public ContactSolution<double> {
     std::size_t begin;
     std::size_t end;
   };
-  const std::vector<Run>& runs() const { return runs_; }
   /// True if the contact reaches an end of the support.
   bool reaches_edge() const;
   /// Returns the length of a cell in the user's unit.

@@ -68,7 +68,6 @@ several = {
     "proof": ("two_coatings_forward.toml", "--certify", "--max-stress", "--at=-1,0,0.5,2"),
     "bound": ("parabola.toml", "--method", "variational", "--cells", "256", "--certify"),
     "no convergence": ("two_bumps.toml", "--method", "variational", "--iterations", "1"),
-    "search": ("parabola_rough_rear.toml", "--search-solutions", "2", "--cells", "256"),
     "loads": ("two_bumps.toml", "--load-steps", "0.7,0.8"),
     "proved loads": ("parabola.toml", "--load-steps", "400,500", "--certify"),
 }

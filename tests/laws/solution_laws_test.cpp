@@ -2,7 +2,7 @@
 // the methods at their precisions, with the kind of problems and the tolerance for each.
 
 #include "known_limits/error_estimates.hpp"
-#include "model/uniqueness.hpp"
+#include "model/most_components.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "numeric/variational/variational_inequality.hpp"
 #include "support/compared_solutions.hpp"
@@ -86,10 +86,10 @@ bool shear_opposes_sliding(const Case<R>& c) {
   return true;
 }
 
-/// Contact grows with the load if theorem 1 holds.
+/// Contact grows with the load, whatever the friction, if the attitude is given.
 template <Real R>
 bool grows_with_the_load(const Case<R>& c) {
-  if (!uniqueness(c.problem).proved) return true;
+  if (c.problem.load_at()) return true;
   const Attempt<R> more = c.method.solve(scaled(c.problem, 1, 1.25_r));
   if (!more.solution || !more.solution->failed_condition().empty()) return true;
   const auto larger = more.solution->contact();
@@ -99,6 +99,24 @@ bool grows_with_the_load(const Case<R>& c) {
       return around.left.x.value <= zone.left.x.value + slack && zone.right.x.value <= around.right.x.value + slack;
     });
   });
+}
+
+template <Real R>
+bool has_few_components(const Case<R>& c) {
+  return too_many_components(c.problem, c.solution.contact().size()).empty();
+}
+
+/// If the right side of the indenter is raised, the centre of pressure moves to the left.
+template <Real R>
+bool follows_the_tilt(const Case<R>& c) {
+  if (c.problem.load_at()) return true;
+  const Rational width = c.problem.indenter().right() - c.problem.indenter().left();
+  const Rational tilt = c.problem.elasticity().compliance() * c.problem.load() / width / 8;
+  std::vector<Indenter::Piece> pieces = c.problem.indenter().pieces();
+  for (Indenter::Piece& piece : pieces) piece.profile = piece.profile + Polynomial({0, tilt});
+  const Attempt<R> tilted = c.method.solve(c.problem.with_indenter(Indenter(c.problem.indenter().left(), pieces)));
+  if (!tilted.solution || !tilted.solution->failed_condition().empty()) return true;
+  return tilted.solution->resultants().centre_of_pressure.value < c.resultants.centre_of_pressure.value;
 }
 
 template <Real R>
@@ -112,6 +130,8 @@ const std::pair<const char*, bool (*)(const Case<R>&)> solution_laws[] = {
     {"the exponents add up to free ends less components", exponents_add_up<R>},
     {"the shear is f t against the sliding", shear_opposes_sliding<R>},
     {"under a heavier load the contact is larger", grows_with_the_load<R>},
+    {"there are no more components than the profile allows", has_few_components<R>},
+    {"a tilt upwards on the right moves the pressure to the left", follows_the_tilt<R>},
 };
 
 /// Returns a place in the contact at which friction does not change and no two pieces meet.

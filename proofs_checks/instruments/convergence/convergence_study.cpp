@@ -8,7 +8,6 @@
 #include <set>
 #include <stdexcept>
 
-#include "model/uniqueness.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "numeric/variational/variational_inequality.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
@@ -66,7 +65,6 @@ OnMesh on_mesh(const ContactProblem& problem, const VariationalSolution& solutio
 }
 
 std::optional<enclosure::CellBound> proved_bound(const ContactProblem& problem, const VariationalSolution& solution) {
-  if (!uniqueness(problem).proved) return std::nullopt;
   enclosure::CellBound bound = enclosure::bound_cells(problem, solution.touching_pressures());
   if (!bound.proved) return std::nullopt;
   return bound;

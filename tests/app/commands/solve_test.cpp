@@ -76,7 +76,7 @@ TEST_CASE("tilt: only with load_at, and the pressure's centre lies under the loa
     const Json json = solve(tilting);
     CHECK(near(json["resultants"]["centre_of_pressure"], at, "1e-12"));
     CHECK(holds(run(tilting).out, "  tilt "));
-    CHECK(json["uniqueness"]["status"] == "not_covered");
+    CHECK(json["uniqueness"]["reason"] == "uniqueness theorem for a given line of action");
     // The same problem with the slope in the profile, and with an indenter that cannot tilt.
     const std::string tilt = json["resultants"]["tilt"]["value"].get<std::string>();
     const Json fixed = solve(replaced(coated_punch, "profile = \"0\"", "profile = \"" + tilt + "*x\""));

@@ -7,6 +7,7 @@
 #include "numeric/variational/variational_inequality.hpp"
 #include "numeric/variational/variational_solution.hpp"
 #include "support/problems.hpp"
+#include "support/random_problem.hpp"
 
 namespace {
 
@@ -227,6 +228,35 @@ TEST_CASE("the largest gap is one above the lowest that there is, not above the 
     tighter += bound.largest_gap < (*most - *lowest) * Ball(1.02_r, 64) ? 1 : 0;
   }
   CHECK(tighter == 3);
+}
+
+TEST_CASE("the energy bounds errors where s nowhere decreases, without steps and with a given attitude") {
+  const auto why = [](const Rational& gamma, std::vector<Rational> f, Sliding sliding = Sliding::plus_x) {
+    std::vector<Rational> jumps;
+    for (std::size_t k = 1; k < f.size(); ++k) jumps.push_back(Rational(static_cast<int>(k), 10));
+    return why_energy_bounds_nothing(ContactProblem(
+        Elasticity::reduced(gamma), FrictionProfile(std::move(f), std::move(jumps)), one_piece(-1, 1, {}), 1, sliding));
+  };
+  const Rational gamma(2, 7);
+  CHECK(why(gamma, {1}) == "");
+  CHECK(why(0, {3, 1, 2}) == "");
+  CHECK(why(gamma, {1, 2, 2, 3}) == "");
+  CHECK(why(gamma, {1, 2, 1}) == "s = gamma f decreases towards the front at x = 0.2");
+  // For the other direction of sliding, and for the other sign of gamma, front and rear change places.
+  CHECK(why(gamma, {2, 1}, Sliding::minus_x) == "");
+  CHECK(why(gamma, {1, 2}, Sliding::minus_x) != "");
+  CHECK(why(-gamma, {2, 1}) == "");
+  CHECK(why(-gamma, {1, 2}) != "");
+  for (const Rational& height : {0_r, 0.001_r, -0.001_r}) {
+    const Indenter indenter(-1, {{0.25_r, Polynomial({0, -0.5_r})}, {1, Polynomial({height - 0.25_r, 0.5_r})}});
+    CHECK(why_energy_bounds_nothing(reduced({0.1_r, 0.3_r}, {0}, indenter, 1)).empty() == (height == 0));
+  }
+  CHECK(rc::check([] {
+    const ContactProblem problem = *coincidences();
+    const std::string here = why_energy_bounds_nothing(problem);
+    RC_ASSERT(why_energy_bounds_nothing(problem.mirrored()).empty() == here.empty());
+    RC_ASSERT(why_energy_bounds_nothing(problem.mirrored().mirrored()) == here);
+  }));
 }
 
 TEST_CASE("refused: friction that falls, a tilting indenter, another load, what is no pressure") {

@@ -214,34 +214,3 @@ TEST_CASE("out of steps: the best state, and what is wrong with it") {
 TEST_CASE("fewer than 16 cells are refused") {
   CHECK_THROWS_AS(variational_inequality(reduced({0.3_r}, {}, two_wells(), 2), {.cells = 8}), std::invalid_argument);
 }
-
-TEST_CASE("a search: where s does not decrease all starts agree, and what they agree on is refined") {
-  VariationalOptions options;
-  options.cells = 512;
-  const ContactProblem problem = on_two_coatings(two_wells(), 8);
-  const SolutionSearch search = search_solutions(problem, 12, options);
-  CHECK(search.starts == 12);
-  CHECK(search.unsolved == 0);
-  REQUIRE(search.solutions.size() == 1);
-  CHECK(search.solutions.front().times == 12);
-  REQUIRE(search.solutions.front().refined);
-  CHECK(fault(*search.solutions.front().refined) == "");
-  // Control: states that are not solutions are counted, not compared.
-  options.most_steps = 1;
-  const SolutionSearch hurried = search_solutions(problem, 3, options);
-  CHECK(hurried.unsolved == 3);
-  CHECK(hurried.solutions.empty());
-}
-
-TEST_CASE("a search: few cells under a strong fall of s have several solutions, finer ones have one") {
-  const ContactProblem problem = reduced({8.5_r, 0}, {0}, one_piece(-1, 1, {0, -1, 2, 0, 1}), 0.5_r);
-  const SolutionSearch coarse = search_solutions(problem, 60, {.cells = 16});
-  CHECK(coarse.solutions.size() >= 2);
-  CHECK(coarse.solutions.front().times >= coarse.solutions.back().times);
-  for (const FoundSolution& found : coarse.solutions) {
-    CHECK(found.variational->failed_condition() == "");
-    CHECK(found.refined);
-  }
-  CHECK(coarse.refinements == 1);
-  CHECK(search_solutions(problem, 20, {.cells = 512}).solutions.size() == 1);
-}
