@@ -3,7 +3,6 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
-#include <utility>
 
 namespace steadyslide::numeric {
 namespace {
@@ -16,32 +15,35 @@ struct NotSolved {};
 std::optional<double> bracketed_tilt(const std::function<std::optional<double>(double tilt)>& offset, double start,
                                      double step) {
   constexpr int most_doublings = 60;
+  struct Place {
+    double tilt;
+    double offset;
+  };
+  std::optional<Place> low, high;  // the offset is positive at the lower end and negative at the higher one
+  const auto visit = [&](double tilt) {
+    const std::optional<double> there = offset(tilt);
+    if (!there) return;
+    if (*there >= 0 && (!low || tilt > low->tilt)) low = {tilt, *there};
+    if (*there <= 0 && (!high || tilt < high->tilt)) high = {tilt, *there};
+  };
+  visit(start);
+  for (int k = 0; k < most_doublings && (!low || !high); ++k) {
+    if (!high) visit(start + std::ldexp(step, k));
+    if (!low) visit(start - std::ldexp(step, k));
+  }
+  if (!low || !high) return std::nullopt;
+  if (low->tilt >= high->tilt) return low->tilt;
   const auto value = [&offset](double tilt) {
     const std::optional<double> there = offset(tilt);
     if (!there) throw NotSolved();
     return *there;
   };
   try {
-    double near = start, value_near = value(near);
-    // A centre too far to the right needs a larger tilt.
-    const double outwards = value_near > 0 ? step : -step;
-    double far = near + outwards, value_far = value(far);
-    for (int k = 0; k < most_doublings && value_far * value_near > 0; ++k) {
-      near = far;
-      value_near = value_far;
-      far = start + std::ldexp(outwards, k + 1);
-      value_far = value(far);
-    }
-    if (value_near == 0) return near;
-    if (value_far * value_near > 0) return std::nullopt;
-    if (far < near) {
-      std::swap(near, far);
-      std::swap(value_near, value_far);
-    }
     std::uintmax_t most_steps = 60;
-    const auto [low, high] = boost::math::tools::toms748_solve(
-        value, near, far, value_near, value_far, boost::math::tools::eps_tolerance<double>(48), most_steps);
-    return (low + high) / 2;
+    const auto [from, to] =
+        boost::math::tools::toms748_solve(value, low->tilt, high->tilt, low->offset, high->offset,
+                                          boost::math::tools::eps_tolerance<double>(48), most_steps);
+    return (from + to) / 2;
   } catch (const NotSolved&) {
     return std::nullopt;
   }

@@ -10,7 +10,8 @@ namespace steadyslide::numeric {
 
 /// Returns the tilt at which `offset` vanishes, to rounding, by TOMS algorithm 748. `offset` is the centre of pressure
 /// minus load_at as a function of the tilt; it is absent where the problem with this attitude is not solved. The search
-/// for a bracket begins at `start` with steps of `step` > 0, which double. Absent if `offset` is, or without a bracket.
+/// for a bracket begins at `start` with steps of `step` > 0, which double, and passes attitudes that are not solved.
+/// Absent if there is no bracket, or if an attitude inside it is not solved.
 std::optional<double> bracketed_tilt(const std::function<std::optional<double>(double tilt)>& offset, double start,
                                      double step);
 

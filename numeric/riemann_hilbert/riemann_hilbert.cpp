@@ -1,6 +1,8 @@
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <string>
 
 #include "numeric/closed_form/closed_form.hpp"
@@ -104,15 +106,14 @@ ContactProblem with_attitude(const ContactProblem& problem, double tilt) {
           problem.load(), problem.sliding()};
 }
 
-/// Returns a state of the problem that is no solution, with its reason.
-std::shared_ptr<RiemannHilbertSolution<double>> failed(const ContactProblem& problem,
-                                                       const RiemannHilbertSolution<double>& reached,
-                                                       const std::string& why) {
-  const auto state = [&](const RoundedProblem<double>& reduced, JacobiRules<double>&) {
-    const ContactState<double>& old = reached.state();
-    return SearchResult<double>{{ContactSet<double>::converted(reduced, old.set), old.q, old.tilt}, {}, why};
+/// Continues a solution of a problem with the same places of the data, with this tilt of the reduced slope.
+std::shared_ptr<RiemannHilbertSolution<double>> continued(const ContactProblem& problem,
+                                                          const RiemannHilbertSolution<double>& from, double tilt) {
+  const auto search = [&](const RoundedProblem<double>& reduced, JacobiRules<double>& rules) {
+    const ContactState<double>& state = from.state();
+    return search_contact(reduced, {ContactSet<double>::converted(reduced, state.set), state.q, tilt}, rules);
   };
-  return std::make_shared<RiemannHilbertSolution<double>>(problem, reached.problem().frame(), state);
+  return std::make_shared<RiemannHilbertSolution<double>>(problem, from.problem().frame(), search);
 }
 
 /// Brackets the tilt by problems with a given attitude, then lets Newton's method go on from there. `stalled` is the
@@ -123,26 +124,40 @@ std::shared_ptr<RiemannHilbertSolution<double>> search_by_attitude(const Contact
   const auto load = to_real<double>(problem.load());
   const auto load_at = to_real<double>(*problem.load_at());
   const auto width = to_real<double>(Rational(problem.indenter().right() - problem.indenter().left()));
-  std::shared_ptr<RiemannHilbertSolution<double>> last;
+  std::map<double, std::shared_ptr<RiemannHilbertSolution<double>>> known;  // by tilt
   std::string why = stalled.failed_condition() + "; no bracket of the tilt was found";
   const auto offset = [&](double tilt) -> std::optional<double> {
     const ContactProblem fixed = with_attitude(problem, tilt);
     std::shared_ptr<RiemannHilbertSolution<double>> found;
-    if (last) found = search<double>(fixed, start_again(*last));
-    if (!found || !found->failed_condition().empty()) found = search_from_nothing(fixed);
-    if (!found->failed_condition().empty()) {
+    const auto solves = [&found](std::shared_ptr<RiemannHilbertSolution<double>> next) {
+      found = std::move(next);
+      return found->failed_condition().empty();
+    };
+    // From the nearest solved attitudes on both sides, then from nothing.
+    const auto above = known.lower_bound(tilt);
+    const bool is_solved = (above != known.begin() && solves(continued(fixed, *std::prev(above)->second, 0))) ||
+                           (above != known.end() && solves(continued(fixed, *above->second, 0))) ||
+                           solves(search_from_nothing(fixed));
+    if (!is_solved) {
       why = stalled.failed_condition() + "; with the tilt " + std::to_string(tilt) + ": " + found->failed_condition();
       return std::nullopt;
     }
-    last = std::move(found);
-    return last->resultants().centre_of_pressure.value - load_at;
+    known[tilt] = found;
+    return found->resultants().centre_of_pressure.value - load_at;
   };
   const std::optional<double> tilt =
       bracketed_tilt(offset, compliance * coarse_start(problem, 48).tilt, compliance * load / width / 16);
-  if (!tilt || !offset(*tilt)) return failed(problem, stalled, why);
-  ContactStart start = start_again(*last);
-  start.tilt = *tilt / compliance;
-  return search<double>(problem, start);
+  if (tilt && offset(*tilt)) {
+    auto found = continued(problem, *known[*tilt], *tilt / compliance);
+    if (found->failed_condition().empty()) return found;
+    why = found->failed_condition() + "; the tilt " + std::to_string(*tilt) + " is bracketed";
+  }
+  // The state is that of Newton's method, with the reason why the bracket does not help.
+  const auto state = [&](const RoundedProblem<double>& reduced, JacobiRules<double>&) {
+    const ContactState<double>& old = stalled.state();
+    return SearchResult<double>{{ContactSet<double>::converted(reduced, old.set), old.q, old.tilt}, {}, why};
+  };
+  return std::make_shared<RiemannHilbertSolution<double>>(problem, stalled.problem().frame(), state);
 }
 
 }  // namespace

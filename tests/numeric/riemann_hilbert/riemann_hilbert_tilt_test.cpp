@@ -1,6 +1,8 @@
 // Indenters that may tilt.
 
 #include "numeric/riemann_hilbert/bracketed_tilt.hpp"
+#include "numeric/variational/variational_inequality.hpp"
+#include "support/random_contact.hpp"
 #include "support/solved_contact.hpp"
 
 namespace {
@@ -76,4 +78,31 @@ TEST_CASE("the tilt is bracketed from either side, from near and from far") {
   const auto unsolved = [](double tilt) { return tilt < 3 ? std::optional(5 - tilt) : std::nullopt; };
   CHECK_FALSE(bracketed_tilt(unsolved, 0, 1));
   CHECK_FALSE(bracketed_tilt([](double) { return std::optional(1.0); }, 0, 1));
+}
+
+// The load lies between a notch and an edge, over a flank that is almost parallel to the surface. The pressure moves
+// from the one to the other within a change of the tilt by one per cent, and Newton's method finds no free tilt.
+TEST_CASE("a free tilt that only its bracket finds; cells find the same") {
+  struct Case {
+    std::uint64_t seed;
+    Rational load_at;
+  };
+  for (const auto& [seed, load_at] : {Case{20170096, {-5, 8}}, {20170119, {-5, 32}}, {20170217, {-5, 8}}}) {
+    CAPTURE(seed);
+    const ContactProblem fixed = random_contact(seed, ContactFamily::notches);
+    const ContactProblem problem(fixed.elasticity(), fixed.friction(), fixed.indenter(), fixed.load(), fixed.sliding(),
+                                 load_at);
+    const auto found = riemann_hilbert<double>(problem).solution;
+    REQUIRE(found);
+    CHECK(found->failed_condition() == "");
+    const auto cells = variational_inequality(problem, {.cells = 16384}).solution;
+    const auto agree = [](const Estimate<double>& a, const Estimate<double>& b) {
+      CHECK(std::abs(a.value - b.value) <= a.error + b.error);
+      CHECK(std::abs(a.value - b.value) <= 1e-3 * std::abs(a.value));
+    };
+    agree(*found->tilt(), *cells->tilt());
+    agree(found->resultants().effective_friction, cells->resultants().effective_friction);
+    const double place = to_real<double>(load_at);
+    CHECK(std::abs(found->resultants().centre_of_pressure.value - place) <= 1e-9);
+  }
 }
