@@ -39,6 +39,7 @@ nlohmann::ordered_json proof_json(const checks::CheckedProof& proof) {
   json["for"] = text_of(proof.text.parameters);
   json["assumes"] = texts_of(proof.text.assumes);
   json["concludes"] = texts_of(proof.text.concludes);
+  json["rules_in_words"] = proof.rules_in_words;
   json["steps"] = nlohmann::ordered_json::array();
   for (const checks::ProofNode& node : proof.nodes) {
     const std::string says = checks::theory().sentence(node.fact);

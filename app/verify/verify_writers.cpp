@@ -95,6 +95,9 @@ void write_verify_text(const VerifyResult& result, Output& output) {
     if (!report.note.empty()) output.write(fmt::format("  {}\n", report.note));
   }
   output.write("\n" + counts_line(result.reports) + "\n");
+  if (std::ranges::any_of(result.reports, &checks::Report::proof)) {
+    output.write("rules of the proofs: " + checks::rules_line(result.reports) + "\n");
+  }
   if (const std::string line = checks::statements_line(result.reports); !line.empty()) {
     output.write("the paper's statements: " + line + "\n");
   }
@@ -180,6 +183,15 @@ Json report_json(const checks::Report& report) {
   return json;
 }
 
+/// Returns the number of rules in words on which the proofs of a statement's claims rest.
+std::size_t rules_in_words(const checks::PaperStatement& statement, std::span<const checks::Report> reports) {
+  std::vector<checks::Report> own;
+  std::ranges::copy_if(reports, std::back_inserter(own), [&](const checks::Report& report) {
+    return std::ranges::count(statement.claims, report.claim.id) > 0;
+  });
+  return checks::rules_of(own).in_words.size();
+}
+
 void write_verify_json(const VerifyResult& result, Output& output) {
   Json json;
   json["schema"] = 1;
@@ -187,6 +199,8 @@ void write_verify_json(const VerifyResult& result, Output& output) {
   json["digits"] = static_cast<int>(result.context.digits);
   json["seed"] = result.context.seed;
   for (const auto& [verdict, n] : count(result.reports)) json["counts"][std::string(verdict)] = n;
+  const checks::ProofRules rules = checks::rules_of(result.reports);
+  json["rules"] = {{"run", rules.run}, {"in_words", rules.in_words}};
   json["claims"] = Json::array();
   for (const checks::Report& report : result.reports) json["claims"].push_back(report_json(report));
   for (const auto& [verdict, n] : checks::statement_counts(result.reports)) json["statement_counts"][verdict] = n;
@@ -199,7 +213,8 @@ void write_verify_json(const VerifyResult& result, Output& output) {
                                           {"verdict", name_of(*verdict)},
                                           {"scope", statement.scope},
                                           {"entries", statement.claims},
-                                          {"instances", statement.instances}},
+                                          {"instances", statement.instances},
+                                          {"rules_in_words", rules_in_words(statement, result.reports)}},
                                          {"statement", "scope"}));
   }
   json["reading_notes"] = Json::array();

@@ -42,7 +42,7 @@ Decision decide_enclosure(const std::string& id, const Box& box) {
 
 const Decisions& decisions() {
   static const Decisions all{decide_identity, decide_sign, decide_enclosure,
-                             [](const std::string& id) { return proof_of(id); }};
+                             [](const std::string& id) { return proof_of(id); }, &meaning()};
   return all;
 }
 
@@ -123,7 +123,9 @@ const CheckedProof* proof_of(std::string_view id) {
 Claim with_proof(Claim claim) {
   if (claim.proof.empty()) return claim;
   claim.examine = [id = claim.id, others = std::move(claim.examine)](const Context& context) {
-    Evidences all{*proof_of(id)};
+    const CheckedProof& proof = *proof_of(id);
+    Evidences all{proof};
+    if (!proof.counterexample.empty()) all.push_back(Counterexample{"the proof", proof.counterexample});
     if (others) std::ranges::move(others(context), std::back_inserter(all));
     return all;
   };

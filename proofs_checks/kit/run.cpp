@@ -119,6 +119,22 @@ std::vector<std::pair<std::string_view, std::size_t>> count(std::span<const Repo
   return counts;
 }
 
+ProofRules rules_of(std::span<const Report> reports) {
+  ProofRules rules;
+  for (const Report& report : reports) {
+    const CheckedProof* proof = report.proof();
+    if (!proof) continue;
+    rules.run.insert(proof->rules_run.begin(), proof->rules_run.end());
+    rules.in_words.insert(proof->rules_in_words.begin(), proof->rules_in_words.end());
+  }
+  return rules;
+}
+
+std::string rules_line(std::span<const Report> reports) {
+  const ProofRules rules = rules_of(reports);
+  return std::to_string(rules.run.size()) + " run on instances, " + std::to_string(rules.in_words.size()) + " in words";
+}
+
 std::string counts_line(std::span<const Report> reports) {
   std::string line;
   for (const auto& [verdict, n] : count(reports)) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -66,6 +67,14 @@ std::vector<Report> run_all(std::span<const Claim> claims, const Context& contex
 std::vector<std::pair<std::string_view, std::size_t>> count(std::span<const Report> reports);
 /// Returns these numbers as text: "3 proved, 2 supported, 0 undecided, 0 refuted".
 std::string counts_line(std::span<const Report> reports);
+
+/// The rules on which proofs rest, by name: those that hold on instances, and those in words, which only a reader judges.
+struct ProofRules {
+  std::set<std::string> run, in_words;
+};
+ProofRules rules_of(std::span<const Report> reports);
+/// Returns "12 run on instances, 30 in words".
+std::string rules_line(std::span<const Report> reports);
 
 /// True if no claim is refuted, and every undecided claim is beyond calculation.
 bool settled(std::span<const Report> reports);

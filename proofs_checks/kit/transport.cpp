@@ -15,7 +15,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BeyondCalculation, reason, consequences)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Fact, word, things)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProofNode, fact, by, words, from)
 // The text of a proof is not stored: report_from() takes it from the claim.
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckedProof, nodes, gap)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckedProof, nodes, gap, rules_run, rules_in_words)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ControlReport, name, refuted, detail)
 
 /// Writes an array of the alternative's index and its members.

@@ -13,6 +13,7 @@ namespace {
 /// The reason why a proof stops, in words.
 struct Gap {
   std::string words;
+  std::string counterexample = {};
 };
 
 class ProofChecker {
@@ -25,7 +26,7 @@ class ProofChecker {
       for (const Fact& fact : *facts) theory_.require_declared(fact);
     }
     for (const Fact& fact : text_.assumes) nodes_.push_back({fact, "assumed"});
-    std::string gap;
+    std::string gap, counterexample;
     try {
       for (const ProofStep& step : text_.steps) take(step);
       for (const Fact& fact : text_.concludes) {
@@ -39,8 +40,9 @@ class ProofChecker {
       }
     } catch (const Gap& g) {
       gap = g.words;
+      counterexample = g.counterexample;
     }
-    return {text_, std::move(nodes_), std::move(gap)};
+    return {text_, std::move(nodes_), std::move(gap), std::move(counterexample), std::move(run_), std::move(in_words_)};
   }
 
  private:
@@ -65,20 +67,39 @@ class ProofChecker {
       case ProofStep::Kind::theorem: {
         const auto theorem = theory_.theorems.find(step.name);
         if (theorem == theory_.theorems.end()) throw Gap{"no classical theorem of this name: " + step.name};
-        node.words.push_back(by_rules(node, theorem->second).words);
+        const Rule& rule = by_rules(node, theorem->second);
+        node.words.push_back(rule.words);
+        run(rule, by_what(step));
         break;
       }
       case ProofStep::Kind::definition: by_rule_of_word(node, theory_.definitions, "not defined: "); break;
       case ProofStep::Kind::inference: by_rule_of_word(node, theory_.inferences, "no inference of: "); break;
       case ProofStep::Kind::entry: by_entry(node, step.name); break;
     }
+    if (decisions_.meaning) require(decisions_.meaning->of(node.fact));
     nodes_.push_back(std::move(node));
   }
 
-  void by_rule_of_word(ProofNode& node, const std::map<std::string, Rule>& rules, const std::string& none) const {
+  void by_rule_of_word(ProofNode& node, const std::map<std::string, Rule>& rules, const std::string& none) {
     const auto rule = rules.find(node.fact.word);
     if (rule == rules.end()) throw Gap{none + node.fact.word};
     by_rules(node, std::span(&rule->second, 1));
+    run(rule->second, node.by);
+  }
+
+  static void require(const Run& run) {
+    if (!run.counterexample.empty()) throw Gap{"refuted: " + run.counterexample, run.counterexample};
+    if (!run.idle.empty()) throw Gap{"no instance shows that a premise is needed: " + run.idle.front()};
+  }
+
+  void run(const Rule& rule, const std::string& by) {
+    const std::string name = by + ": " + text_of(rule.gives);
+    if (!decisions_.meaning || decisions_.meaning->of(rule).instances == 0) {
+      in_words_.insert(name);
+    } else {
+      run_.insert(name);
+    }
+    if (decisions_.meaning) require(decisions_.meaning->of(rule));
   }
 
   std::vector<const DecidedFact*> decided(const Fact& fact, DecidedFact::By by) const {
@@ -171,7 +192,7 @@ class ProofChecker {
     return false;
   }
 
-  void by_entry(ProofNode& node, const std::string& id) const {
+  void by_entry(ProofNode& node, const std::string& id) {
     const CheckedProof* entry = decisions_.entry(id);
     if (!entry) throw Gap{"no entry with a proof: " + id};
     if (!entry->complete()) throw Gap{"the proof of " + id + " has a gap: " + entry->gap};
@@ -182,12 +203,15 @@ class ProofChecker {
       throw Gap{id + " is proved for " + text_of(entry->text.parameters) + " only"};
     }
     for (const Fact& fact : entry->text.assumes) node.from.push_back(needed(fact, node.fact));
+    run_.insert(entry->rules_run.begin(), entry->rules_run.end());
+    in_words_.insert(entry->rules_in_words.begin(), entry->rules_in_words.end());
   }
 
   const ProofText& text_;
   const Theory& theory_;
   const Decisions& decisions_;
   std::vector<ProofNode> nodes_;
+  std::set<std::string> run_, in_words_;
 };
 
 }  // namespace
@@ -234,8 +258,10 @@ std::string count_of_steps(const CheckedProof& proof) {
   count(ProofStep::Kind::enclosure, "enclosure", "enclosures");
   count(ProofStep::Kind::theorem, "classical theorem", "classical theorems");
   count(ProofStep::Kind::definition, "definition", "definitions");
-  count(ProofStep::Kind::inference, "inference in words", "inferences in words");
+  count(ProofStep::Kind::inference, "inference", "inferences");
   count(ProofStep::Kind::entry, "entry", "entries");
+  const std::size_t words = proof.rules_in_words.size();
+  if (words > 0) text += "; rests on " + std::to_string(words) + (words == 1 ? " rule in words" : " rules in words");
   return text;
 }
 

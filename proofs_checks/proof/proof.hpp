@@ -12,13 +12,18 @@
 //
 // Each conclusion must be given by a step, not assumed. Each assumption must be used by a step.
 //
+// A fact that has a meaning must hold on all instances of its things, and a rule on all general instances
+// (meaning.hpp).
+//
 // The checker trusts no written step: if a fact does not follow, the proof has a gap that names it.
 
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "model/truth.hpp"
+#include "proofs_checks/proof/meaning.hpp"
 #include "proofs_checks/proof/proof_text.hpp"
 #include "proofs_checks/proof/theory.hpp"
 
@@ -41,6 +46,10 @@ struct CheckedProof {
   ProofText text;
   std::vector<ProofNode> nodes;  ///< the assumptions, then the steps up to the gap
   std::string gap;
+  std::string counterexample = {};  ///< the instance on which a fact or a rule fails
+  /// The theorems, definitions and inferences of this proof and of the entries that it cites: those that hold on
+  /// instances, and those that only a reader can judge.
+  std::set<std::string> rules_run = {}, rules_in_words = {};
 
   bool complete() const { return gap.empty(); }
 };
@@ -53,6 +62,8 @@ struct Decisions {
   std::function<Decision(const std::string& id, const Box& box)> enclosure;
   /// Returns the proof of another entry, or null if there is no such entry or it has no proof.
   std::function<const CheckedProof*(const std::string& id)> entry;
+  /// Null if nothing is run on instances.
+  const Meaning* meaning = nullptr;
 };
 
 /// Returns the checked proof. Throws std::logic_error if a fact uses words that are not declared.
@@ -67,7 +78,7 @@ struct TreeLine {
 };
 std::vector<TreeLine> tree_of(const CheckedProof& proof);
 
-/// Returns "4 identities, 2 classical theorems (liouville, plemelj), 1 entry (rh-load)".
+/// Returns "4 identities, 2 classical theorems (liouville, plemelj), 1 entry (rh-load); rests on 2 rules in words".
 std::string count_of_steps(const CheckedProof& proof);
 
 }  // namespace steadyslide::proofs_checks

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/join.hpp>
 #include <iterator>
 #include <ranges>
 #include <set>
@@ -52,6 +53,37 @@ std::optional<std::string> free_variable(const Rule& rule) {
   return std::nullopt;
 }
 
+/// Returns the formulas of a sentence that are run, **`...`**. Takes their marks out of it.
+std::vector<std::string> take_formulas(std::string& says) {
+  std::vector<std::string> formulas;
+  for (std::size_t from = 0; (from = says.find("**`", from)) != std::string::npos;) {
+    const std::size_t to = says.find("`**", from);
+    if (to == std::string::npos) throw std::logic_error("a formula without end: " + says);
+    formulas.push_back(says.substr(from + 3, to - from - 3));
+    says.replace(to, 3, "`").replace(from, 3, "`");
+  }
+  return formulas;
+}
+
+/// Returns the text with `value(k)` in place of the k-th variable. A variable is a whole word.
+std::string with_values(const Fact& declared, const std::string& text, const auto& value) {
+  const auto is_letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  };
+  std::string result;
+  for (std::size_t k = 0; k < text.size();) {
+    std::size_t end = k;
+    while (end < text.size() && is_letter(text[end])) ++end;
+    const std::string word = text.substr(k, end - k);
+    const auto found = std::ranges::find(declared.things, word);
+    const bool is_value = !word.empty() && found != declared.things.end();
+    result += is_value ? value(static_cast<std::size_t>(found - declared.things.begin())) : word;
+    if (end < text.size()) result += text[end];
+    k = end + 1;
+  }
+  return result;
+}
+
 /// Reads documents line by line into a theory.
 class Reader {
  public:
@@ -87,7 +119,8 @@ class Reader {
 
   void open_tables(std::string part) {
     open(std::move(part));
-    if (part_ != "Words" && part_ != "Things" && part_ != "Definitions" && part_ != "Decided") {
+    static const std::set<std::string> parts{"Words", "Things", "Definitions", "Decided", "Instances"};
+    if (!parts.contains(part_)) {
       throw std::logic_error("a heading that a theory does not have: " + part_);
     }
   }
@@ -105,9 +138,19 @@ class Reader {
                                            : cells.size() == 2;
     if (!good) throw std::logic_error("not a row of the table " + part_ + ": " + cells.at(0));
     if (part_ == "Things") {
-      add_once(theory_.things, items_of(cells[0]).at(0), cells[1]);
+      const std::string name = items_of(cells[0]).at(0);
+      add_once(theory_.things, name, with_formulas_of(name, cells[1]));
     } else if (part_ == "Decided") {
       add_decided(theory_.decided, cells);
+    } else if (part_ == "Instances") {
+      for (const std::string& of : list_of(cells[0], "; ")) {
+        const bool of_rule = of.find('(') != std::string::npos;
+        for (const Fact& fact : parse_facts(of_rule ? of : "of(" + of + ")")) {
+          const std::string name = text_of(fact);
+          const std::string key = of_rule ? name : name.substr(3, name.size() - 4);
+          add_once(theory_.instances, key, InstanceRow{key, items_of(cells[1])});
+        }
+      }
     } else {
       const Fact fact = parse_fact(items_of(cells[0]).at(0));
       const std::set<std::string> different(fact.things.begin(), fact.things.end());
@@ -117,10 +160,16 @@ class Reader {
       const std::size_t needs = part_ == "Words" ? 2 : 1;
       Rule rule{fact.word, {}, {}, {fact}};
       if (cells.size() > needs) rule.needs = parse_facts(cells[needs]);
-      if (part_ == "Words") add_once(theory_.words, fact.word, std::pair(fact, cells[1]));
+      if (part_ == "Words") add_once(theory_.words, fact.word, std::pair(fact, with_formulas_of(fact.word, cells[1])));
       if (part_ == "Definitions") add_once(theory_.definitions, fact.word, rule);
       if (part_ == "Words" && !rule.needs.empty()) add_once(theory_.inferences, fact.word, rule);
     }
+  }
+
+  /// Keeps the formulas of a word or of a thing that are run, and returns the sentence without their marks.
+  std::string with_formulas_of(const std::string& name, std::string says) {
+    if (auto formulas = take_formulas(says); !formulas.empty()) add_once(theory_.formulas, name, std::move(formulas));
+    return says;
   }
 
   /// Reads a line of a theorem. The facts after Needs and Gives may take several lines and end at an empty one. Words
@@ -173,6 +222,15 @@ Theory::Theory(std::span<const std::string_view> documents) {
   }
   for (const auto& [word, rule] : inferences) check(rule);
   for (const auto& [name, rules] : theorems) std::ranges::for_each(rules, check);
+  for (const auto& [of, row] : instances) {
+    if (of.find('(') != std::string::npos) {
+      require_declared(parse_fact(of), true);
+      continue;
+    }
+    for (const std::string& thing : items_of(of)) {
+      if (!things.contains(thing)) throw std::logic_error("instances of a thing that is not declared: " + thing);
+    }
+  }
   for (const DecidedFact& one : decided) {
     require_declared(one.fact);
     for (const Fact& fact : one.where) require_declared(fact);
@@ -192,28 +250,22 @@ void Theory::require_declared(const Fact& fact, bool in_rule) const {
 }
 
 std::string Theory::sentence(const Fact& fact) const {
+  // The list of things explains their names.
   const auto& [declared, says] = words.at(fact.word);
-  std::string text;
-  // A variable in the sentence is a whole word. It is replaced by the thing's name; the list of things explains the
-  // name.
-  const auto is_letter = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-  };
-  for (std::size_t k = 0; k < says.size();) {
-    std::size_t end = k;
-    while (end < says.size() && is_letter(says[end])) ++end;
-    const std::string word = says.substr(k, end - k);
-    const auto found = std::ranges::find(declared.things, word);
-    if (!word.empty() && found != declared.things.end()) {
-      const std::string& thing = fact.things[static_cast<std::size_t>(found - declared.things.begin())];
-      text += thing.starts_with('"') ? thing.substr(1, thing.size() - 2) : thing;
-    } else {
-      text += word;
-    }
-    if (end < says.size()) text += says[end];
-    k = end + 1;
-  }
-  return text;
+  return with_values(declared, says, [&](std::size_t k) {
+    const std::string& thing = fact.things[k];
+    return thing.starts_with('"') ? thing.substr(1, thing.size() - 2) : thing;
+  });
+}
+
+std::string Theory::formula(const Fact& fact, const std::string& formula) const {
+  const Fact& declared = words.at(fact.word).first;
+  return with_values(declared, formula, [&](std::size_t k) -> std::string {
+    const std::string& thing = fact.things[k];
+    if (thing.starts_with('"')) return "(" + thing.substr(1, thing.size() - 2) + ")";
+    const auto own = formulas.find(thing);
+    return own == formulas.end() ? thing : "(" + boost::algorithm::join(own->second, ") and (") + ")";
+  });
 }
 
 const Theory& theory() {

@@ -1,6 +1,6 @@
 #pragma once
-// Everything that proofs may use: words and things, definitions, inferences, decided facts, classical theorems. They
-// stand in Markdown, in all files of proofs_checks/facts/,
+// Everything that proofs may use: words and things, definitions, inferences, decided facts, classical theorems, and
+// instances of things. They stand in Markdown, in all files of proofs_checks/facts/,
 //
 //   ## Words                                        each name once in all files
 //
@@ -8,6 +8,8 @@
 //   |---|---|---|                                  words, and for a reader: the program does not decide it
 //   | load(T) | `int T = -P` | |
 //   | pressing(T) | `T < 0` | factor-sign(T), cosine(T) |
+//   | infinite-power(P) | the power is in **`p in ]-1, 0[`** | |      formulas in bold are run on instances (meaning.hpp)
+//
 //   ## Things
 //
 //   | name | is |
@@ -26,7 +28,8 @@
 //   | kernel(two-values) | identity theorem-2-jump | nonzero("s_r - s_l") |
 //   | small({gamma, alpha}) | enclosure gamma-of-nu | nu in [0, 1/2]; nu in ]-1, 0] |
 //
-// A row of the last table may hold several facts, and an enclosure's row several boxes.
+// A row of the last table may hold several facts, and an enclosure's row several boxes. The table "Instances" is
+// described in instances.hpp.
 //
 // Theorems stand in the section "Classical theorems" of docs/proofs.md:
 //
@@ -45,6 +48,7 @@
 
 #include "proofs_checks/proof/box.hpp"
 #include "proofs_checks/proof/fact.hpp"
+#include "proofs_checks/proof/instances.hpp"
 
 namespace steadyslide::proofs_checks {
 
@@ -79,11 +83,15 @@ struct Theory {
   std::map<std::string, Rule> inferences;   ///< by word
   std::map<std::string, std::vector<Rule>> theorems;
   std::vector<DecidedFact> decided;
+  std::map<std::string, std::vector<std::string>> formulas;  ///< by word or thing: those that are run
+  std::map<std::string, InstanceRow> instances;              ///< by things, "traction, wedge", or by the fact of a rule
 
   /// Throws std::logic_error if the word or a thing is not declared. Variables are allowed in rules only.
   void require_declared(const Fact& fact, bool in_rule = false) const;
   /// Returns the fact in words: the declaration with the things in place of the variables.
   std::string sentence(const Fact& fact) const;
+  /// Returns the formula with quoted things, the formulas of things and other variables in place of the variables.
+  std::string formula(const Fact& fact, const std::string& formula) const;
 };
 
 /// Returns the theory of the ledger's proofs.
