@@ -33,7 +33,8 @@ std::vector<Instance> growing_load() {
   for (std::size_t k = 0; k < 12; ++k) {
     CellFrictionSteps steps = random_steps(random, Trend::any, 3, 3);
     if (k % 2 == 1) steps = mirrored(steps);
-    const ContactProblem problem = cell_problem(steps, random_profile(random, k % 3 != 0), random.between(Rational(1, 10), 1));
+    const ContactProblem problem =
+        cell_problem(steps, random_profile(random, k % 3 != 0), random.between(Rational(1, 10), 1));
     const Solution before = solved(problem);
     const Solution after = solved(problem.with_load(problem.load() * Rational(1001, 1000)));
     if (!before || !after || before->contact().size() != after->contact().size()) continue;
@@ -49,11 +50,17 @@ std::vector<Instance> growing_load() {
     const auto parts = before->contact();
     const auto later = after->contact();
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      if (parts[i].left.kind == SingularKind::free) left = std::max(left, (later[i].left.x.value - parts[i].left.x.value) / growth);
-      if (parts[i].right.kind == SingularKind::free) right = std::min(right, (later[i].right.x.value - parts[i].right.x.value) / growth);
+      if (parts[i].left.kind == SingularKind::free)
+        left = std::max(left, (later[i].left.x.value - parts[i].left.x.value) / growth);
+      if (parts[i].right.kind == SingularKind::free)
+        right = std::min(right, (later[i].right.x.value - parts[i].right.x.value) / growth);
     }
     if (!std::isfinite(change) || !std::isfinite(left) || !std::isfinite(right)) continue;
-    all.push_back({{{"P", Real50(to_real<double>(problem.load()))}, {"dT", change}, {"left", left}, {"right", right}, {"accuracy", Real50("1e-8")}}});
+    all.push_back({{{"P", Real50(to_real<double>(problem.load()))},
+                    {"dT", change},
+                    {"left", left},
+                    {"right", right},
+                    {"accuracy", Real50("1e-8")}}});
   }
   return all;
 }

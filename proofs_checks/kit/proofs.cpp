@@ -8,6 +8,7 @@
 
 #include "proofs_checks/proof/decided_statements.hpp"
 #include "proofs_checks/proof/enclosures.hpp"
+#include "proofs_checks/proof/meaning.hpp"
 #include "symbolic/field/polynomial_sign.hpp"
 
 namespace steadyslide::proofs_checks {

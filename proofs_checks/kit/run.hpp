@@ -68,7 +68,8 @@ std::vector<std::pair<std::string_view, std::size_t>> count(std::span<const Repo
 /// Returns these numbers as text: "3 proved, 2 supported, 0 undecided, 0 refuted".
 std::string counts_line(std::span<const Report> reports);
 
-/// The rules on which proofs rest, by name: those that hold on instances, and those in words, which only a reader judges.
+/// The rules on which proofs rest, by name: those that hold on instances, and those in words, which only a reader can
+/// judge.
 struct ProofRules {
   std::set<std::string> run, in_words;
 };

@@ -8,8 +8,8 @@
 // A space between two factors multiplies; a name directly before a bracket is a function. Words between formulas: not,
 // and, or, if. Functions: abs, arctan, cos, cosh, cot, digamma, exp, floor, gamma, log, max, min, sgn, sin, sinh, sqrt,
 // tan, and those of the instance; int(x, a, b, f) is the integral of f over a < x < b, which may have integrable powers
-// at both ends, the stronger one where an end is 0; sum(k, m, n, f) is the sum of f over k = m, ..., n, and all(k, m, n,
-// f) says that the statement f holds for all these k.
+// at both ends, the stronger one where an end is 0; sum(k, m, n, f) is the sum of f over k = m, ..., n, and
+// all(k, m, n, f) says that the statement f holds for all these k.
 
 #include <map>
 #include <set>
@@ -31,10 +31,11 @@ class Formula {
   /// Throws std::logic_error if the text is not a formula.
   explicit Formula(std::string_view text);
 
-  /// Returns the value. Throws std::logic_error if a name has no value in the instance, or if the formula is not a number.
+  /// Returns the value. Throws std::logic_error if a name has no value in the instance, or if the formula is not a
+  /// number.
   Real50 value(const Instance& instance) const;
-  /// Decides the formula. Numbers that differ by no more than the accuracy of the instance are equal; if the instance is
-  /// not exact, their order is unknown. Throws as value() does.
+  /// Decides the formula. Numbers that differ by no more than the accuracy of the instance are equal; if the instance
+  /// is not exact, their order is unknown. Throws as value() does.
   Truth holds(const Instance& instance) const;
   /// Returns the names that an instance has to give a value; functions with a bracket: "t(".
   const std::set<std::string>& names() const { return names_; }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "proofs_checks/proof/markdown.hpp"
+#include "proofs_checks/proof/theory.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
@@ -49,12 +50,9 @@ constexpr auto is_defined = [](const std::string& name, std::set<std::string>& k
 
 }  // namespace
 
-InstanceFamily::InstanceFamily(const InstanceRow& row, const std::function<const InstanceRow&(const std::string&)>& row_of)
-    : of_(row.of) {
-  add(row, row_of);
-}
+InstanceFamily::InstanceFamily(const InstanceRow& row, const RowOf& row_of) : of_(row.of) { add(row, row_of); }
 
-void InstanceFamily::add(const InstanceRow& row, const std::function<const InstanceRow&(const std::string&)>& row_of) {
+void InstanceFamily::add(const InstanceRow& row, const RowOf& row_of) {
   for (const std::string& item : row.items) {
     const std::size_t space = item.find(' ');
     const std::string first = item.substr(0, space);

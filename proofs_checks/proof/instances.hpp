@@ -12,8 +12,8 @@
 // on each other more than the row says, so that each premise of the rule fails in some instances. An interval gives a
 // random rational, often an end or 0; braces give one of their values; a name with a bracket is a function; `where`
 // drops other instances; `like` begins with the quantities of another row; `by` takes the instances of a solver,
-// proofs_checks/instances/. `idle` names a premise of the rule which no instance shows to be needed, `count` says how many
-// instances there are, and a quantity `accuracy` how far numbers may differ that are equal.
+// proofs_checks/instances/. `idle` names a premise of the rule which no instance shows to be needed, `count` says how
+// many instances there are, and a quantity `accuracy` how far numbers may differ that are equal.
 
 #include <functional>
 #include <optional>
@@ -27,21 +27,18 @@
 
 namespace steadyslide::proofs_checks {
 
-/// A row of the table, as written.
-struct InstanceRow {
-  std::string of;
-  std::vector<std::string> items;
-  bool operator==(const InstanceRow&) const = default;
-};
+struct InstanceRow;
 
 /// How to draw instances.
 class InstanceFamily {
  public:
-  /// Throws std::logic_error if an item does not have one of the forms above. `row_of` returns the row with this name.
-  InstanceFamily(const InstanceRow& row, const std::function<const InstanceRow&(const std::string&)>& row_of);
+  using RowOf = std::function<const InstanceRow&(const std::string& of)>;
 
-  /// Returns the instances, the same at each call: those of the solver, or `count` random ones if the row has no count. Throws std::logic_error
-  /// if the conditions exclude nearly all.
+  /// Throws std::logic_error if an item does not have one of the forms above.
+  InstanceFamily(const InstanceRow& row, const RowOf& row_of);
+
+  /// Returns the instances, the same at each call: those of the solver, or `count` random ones if the row has no count.
+  /// Throws std::logic_error if the conditions exclude nearly all.
   std::vector<Instance> instances(std::size_t count) const;
   const std::set<std::string>& names() const { return names_; }
   const std::vector<std::string>& idle() const { return idle_; }
@@ -55,7 +52,7 @@ class InstanceFamily {
     bool with_from = false, with_to = false;  ///< the ends of an interval belong to it
   };
 
-  void add(const InstanceRow& row, const std::function<const InstanceRow&(const std::string&)>& row_of);
+  void add(const InstanceRow& row, const RowOf& row_of);
   void add_quantity(const std::string& item);
 
   std::string of_;

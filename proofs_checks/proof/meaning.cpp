@@ -114,10 +114,11 @@ Run Meaning::run(const Rule& rule) const {
   for (const auto& [facts, all] : {std::pair(&rule.needs, &needs), {&rule.gives, &gives}}) {
     for (const Fact& fact : *facts) {
       all->push_back(formulas_of(fact));
-      if (all->back().empty()) throw std::logic_error("instances of a rule with a word without formula: " + key + ", " + text_of(fact));
+      if (all->back().empty()) return result;  // another rule that gives the same fact has the instances
       for (const Formula& formula : all->back()) {
         for (const std::string& name : formula.names()) {
-          if (!family->second.names().contains(name)) throw std::logic_error("the instances of " + key + " lack " + name);
+          if (!family->second.names().contains(name))
+            throw std::logic_error("the instances of " + key + " lack " + name);
         }
       }
     }

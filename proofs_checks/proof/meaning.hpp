@@ -3,9 +3,10 @@
 // give a value to all names in it. A rule has a meaning if its premises and its conclusions have formulas, and if the
 // fact that it gives has a row of general instances.
 //
-//   fact   holds on no instance: an error. Fails on one: refuted, whatever decides it
-//   rule   the conclusion must hold wherever all premises hold. For each premise there must be an instance on which the
-//          others hold, this one and the conclusion fail: otherwise the premise is idle
+//   fact   it must not fail on an instance, and must hold on one
+//   rule   the conclusion must hold wherever all premises hold, and they must hold somewhere. For each premise there
+//          must be an instance on which the others hold, and this one and the conclusion fail: otherwise the premise is
+//          idle
 //
 // All other rules are "in words": only a reader can judge them.
 
@@ -13,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "proofs_checks/proof/instances.hpp"
 #include "proofs_checks/proof/theory.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -21,7 +23,7 @@ namespace steadyslide::proofs_checks {
 struct Run {
   std::size_t instances = 0;      ///< on which the fact holds, or all premises of the rule; 0 if it has no meaning
   std::string counterexample;     ///< the instance on which it fails
-  std::vector<std::string> idle;  ///< the premises which no instance shows to be needed, and which the row does not name
+  std::vector<std::string> idle;  ///< premises that the row does not name and that no instance shows to be needed
 };
 
 class Meaning {

@@ -7,6 +7,8 @@
 #include <span>
 #include <stdexcept>
 
+#include "proofs_checks/proof/meaning.hpp"
+
 namespace steadyslide::proofs_checks {
 namespace {
 

@@ -7,7 +7,7 @@
 //   enclosure    the fact is decided over boxes that together cover the parameters
 //   theorem      the facts above match the needs of the theorem, with one meaning of each variable
 //   definition   the facts above match the definition of the word
-//   inference    the facts above match those from which the theory infers the word, in words: nothing is decided
+//   inference    the facts above match those from which the theory infers the word
 //   entry        another entry with a complete proof for these parameters concludes it; its assumptions stand above
 //
 // Each conclusion must be given by a step, not assumed. Each assumption must be used by a step.
@@ -23,11 +23,12 @@
 #include <vector>
 
 #include "model/truth.hpp"
-#include "proofs_checks/proof/meaning.hpp"
 #include "proofs_checks/proof/proof_text.hpp"
 #include "proofs_checks/proof/theory.hpp"
 
 namespace steadyslide::proofs_checks {
+
+class Meaning;
 
 struct Decision {
   Truth holds = Truth::unknown;

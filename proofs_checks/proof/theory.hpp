@@ -4,11 +4,13 @@
 //
 //   ## Words                                        each name once in all files
 //
-//   | fact | says | follows from |                 the third column may be absent: an inference from facts. It is short, in
-//   |---|---|---|                                  words, and for a reader: the program does not decide it
+//   | fact | says | follows from |                 the third column may be absent: a short inference from facts
+//   |---|---|---|
 //   | load(T) | `int T = -P` | |
 //   | pressing(T) | `T < 0` | factor-sign(T), cosine(T) |
-//   | infinite-power(P) | the power is in **`p in ]-1, 0[`** | |      formulas in bold are run on instances (meaning.hpp)
+//   | infinite-power(P) | the power is in **`p in ]-1, 0[`** | |
+//
+//   Formulas in bold are run on instances (meaning.hpp).
 //
 //   ## Things
 //
@@ -48,7 +50,6 @@
 
 #include "proofs_checks/proof/box.hpp"
 #include "proofs_checks/proof/fact.hpp"
-#include "proofs_checks/proof/instances.hpp"
 
 namespace steadyslide::proofs_checks {
 
@@ -70,6 +71,13 @@ struct DecidedFact {
   /// Conditions of identities: nonzero("divisor"), the divisor as the symbolic layer writes it.
   std::vector<Fact> where;
   Box box;  ///< the box of an enclosure
+};
+
+/// A row of the table "Instances", as written.
+struct InstanceRow {
+  std::string of;
+  std::vector<std::string> items;
+  bool operator==(const InstanceRow&) const = default;
 };
 
 struct Theory {

@@ -68,7 +68,8 @@ std::string refuted_by(const Theory& changed) {
     bool same = is_same(changed.formulas, before.formulas, fact.word);
     std::string key;
     for (const std::string& thing : fact.things) {
-      same = same && is_same(changed.formulas, before.formulas, thing) && is_same(changed.instances, before.instances, thing);
+      same = same && is_same(changed.formulas, before.formulas, thing) &&
+             is_same(changed.instances, before.instances, thing);
       key += (key.empty() ? "" : ", ") + thing;
     }
     return same && is_same(changed.instances, before.instances, key);
@@ -136,12 +137,13 @@ TEST_CASE("formulas: powers, products by a space, comparisons in a row, interval
   const Instance two{{{"x", 2}, {"y'", 3}}};
   for (const char* formula :
        {"1 + 2 3 = 7", "-x^2 = -4", "2^-1 = 1/2", "2^3^2 = 512", "x < y' <= 3", "x in [2, 3[", "not x in ]2, 3]",
-        "x = 0 or y' = 3 and x = 2", "x = 3 if y' = 4", "pi/4 = arctan(1)", "max(x, y', 1) = 3", "sum(k, 1, 3, k x) = 12",
-        "all(k, 1, 3, k > 0)", "int(r, 0, 1, r^(-1/2)) = x", "int(r, 0, pi, sin(r)) = 2", "x (y' - 1) = 4",
-        "gamma(1/2)^2 = pi", "1 < 2 if (x < 3 and 2 < y')"}) {
+        "x = 0 or y' = 3 and x = 2", "x = 3 if y' = 4", "pi/4 = arctan(1)", "max(x, y', 1) = 3",
+        "sum(k, 1, 3, k x) = 12", "all(k, 1, 3, k > 0)", "int(r, 0, 1, r^(-1/2)) = x", "int(r, 0, pi, sin(r)) = 2",
+        "x (y' - 1) = 4", "gamma(1/2)^2 = pi", "1 < 2 if (x < 3 and 2 < y')"}) {
     CHECK_MESSAGE(decided(formula, two) == Truth::yes, formula);
   }
-  for (const char* formula : {"x = 3 if y' = 3", "x in ]2, 3[", "x > 2", "x != 2", "all(k, 0, 3, k > 0)", "not x = 2"}) {
+  for (const char* formula :
+       {"x = 3 if y' = 3", "x in ]2, 3[", "x > 2", "x != 2", "all(k, 0, 3, k > 0)", "not x = 2"}) {
     CHECK_MESSAGE(decided(formula, two) == Truth::no, formula);
   }
   CHECK(decided("log(0) < 1") == Truth::unknown);
@@ -187,11 +189,17 @@ TEST_CASE("a rule holds on general instances, and each of its premises is needed
 }
 
 TEST_CASE("instances that are not as described are errors") {
-  for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
-           {"n in {0, 1, 2}", "n in 0, 1"}, {"n in {0, 1, 2}", "n"}, {"n in {0, 1, 2}", "n in {0, 1, }}"},
-           {"`n = 2`", "by no-solver"}, {"`n = 2`", "like three"}, {"| two | `n", "| three | `n"},
-           {"`n = 2`", "`n = 2`, `n = 3`"}, {"| grows(N) | `n in", "| shrinks(N) | `n in"},
-           {"floor(n/2)", "floor(m/2)"}, {"floor(n/2)", "floor(n/2"}}) {
+  for (const auto& [from, to] :
+       std::vector<std::pair<std::string, std::string>>{{"n in {0, 1, 2}", "n in 0, 1"},
+                                                        {"n in {0, 1, 2}", "n"},
+                                                        {"n in {0, 1, 2}", "n in {0, 1, }}"},
+                                                        {"`n = 2`", "by no-solver"},
+                                                        {"`n = 2`", "like three"},
+                                                        {"| two | `n", "| three | `n"},
+                                                        {"`n = 2`", "`n = 2`, `n = 3`"},
+                                                        {"| grows(N) | `n in", "| shrinks(N) | `n in"},
+                                                        {"floor(n/2)", "floor(m/2)"},
+                                                        {"floor(n/2)", "floor(n/2"}}) {
     CHECK_THROWS_AS_MESSAGE(Meaning(numbers(from, to)), std::logic_error, to);
   }
   const Theory none = numbers("`D = 1`", "`D = 1`, where `D = 2`");
@@ -221,7 +229,8 @@ TEST_CASE("every fact and every rule of the ledger that has a meaning holds on i
 
 TEST_CASE("wrong sentences, rules and decisions: each refutes something, as the table in docs says") {
   std::string table = "change,file,what,refuted by\n";
-  for (const auto& change : nlohmann::json::parse(file_text(STEADYSLIDE_TESTS "/proofs_checks/proof/changed_words.json"))) {
+  for (const auto& change :
+       nlohmann::json::parse(file_text(STEADYSLIDE_TESTS "/proofs_checks/proof/changed_words.json"))) {
     const std::string id = change.at("id"), file = change.at("file"), old = change.at("old"), wrong = change.at("new");
     CAPTURE(id);
     Facts files = fact_files();

@@ -133,7 +133,8 @@ TEST_CASE("a proof: assumptions, an identity, an enclosure over two boxes, a the
   CHECK(proof.nodes[2].from == std::vector<std::size_t>{0});
   CHECK(proof.nodes[4].from == std::vector<std::size_t>{3, 1, 2});
   CHECK(proof.nodes[1].words == std::vector<std::string>{"words of halves"});
-  CHECK(count_of_steps(proof) == "2 identities, 1 enclosure, 1 classical theorem (odd-sum), 1 definition; rests on 2 rules in words");
+  CHECK(count_of_steps(proof) ==
+        "2 identities, 1 enclosure, 1 classical theorem (odd-sum), 1 definition; rests on 2 rules in words");
   const std::vector<TreeLine> tree = tree_of(proof);
   REQUIRE(tree.size() == 9);
   CHECK(tree[0].node == 4);
