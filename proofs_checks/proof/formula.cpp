@@ -62,7 +62,8 @@ class FormulaEvaluation {
     const Real50 b = value(n.parts[1]);
     if (!isfinite(a) || !isfinite(b)) return Truth::unknown;
     const bool exact = instance_.accuracy == 0;
-    const Real50 tolerance = (abs(a) + abs(b)) * (exact ? Real50("1e-40") : instance_.accuracy) + Real50("1e-44");
+    const Real50 size = abs(a) + abs(b);
+    const Real50 tolerance = exact ? size * Real50("1e-40") + Real50("1e-44") : (1 + size) * instance_.accuracy;
     const bool equal = abs(a - b) <= tolerance;
     if (n.op == "=") return truth_of(equal);
     if (equal && !exact) return Truth::unknown;

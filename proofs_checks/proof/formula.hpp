@@ -62,7 +62,7 @@ struct Instance {
 
   std::map<std::string, Real50> numbers;
   std::map<std::string, Function> functions = {};
-  Real50 accuracy = 0;  ///< relative; 0 if the numbers are exact, up to the rounding of 50 digits
+  Real50 accuracy = 0;  ///< of a number x, over 1 + |x|; 0 if the numbers are exact, up to the rounding of 50 digits
 };
 
 std::string text_of(const Instance& instance);
