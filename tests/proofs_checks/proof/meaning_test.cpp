@@ -93,6 +93,12 @@ std::string refuted_by(const Theory& changed) {
   return "";
 }
 
+std::string cell_of_csv(const std::string& text) {
+  std::string cell = "\"";
+  for (const char c : text) cell += c == '"' ? "\"\"" : std::string(1, c);
+  return cell + "\"";
+}
+
 constexpr std::string_view made_facts = R"(# Numbers
 
 ## Words
@@ -238,7 +244,7 @@ TEST_CASE("wrong sentences, rules and decisions: each refutes something, as the 
     files[file].replace(files[file].find(old), old.size(), wrong);
     const std::string noticed = refuted_by(theory_of(files));
     CHECK(noticed != "");
-    table += id + "," + file + ",\"" + change.at("what").get<std::string>() + "\",\"" + noticed + "\"\n";
+    table += id + "," + file + "," + cell_of_csv(change.at("what")) + "," + cell_of_csv(noticed) + "\n";
   }
   CHECK(table == file_text(STEADYSLIDE_DOCS "/words.csv"));
 }
