@@ -66,7 +66,7 @@ class FormulaEvaluation {
     const Real50 tolerance = exact ? size * Real50("1e-40") + Real50("1e-44") : (1 + size) * instance_.accuracy;
     const bool equal = abs(a - b) <= tolerance;
     if (n.op == "=") return truth_of(equal);
-    if (equal && !exact) return Truth::unknown;
+    if (equal && !exact && a != b) return Truth::unknown;
     if (n.op == "!=") return truth_of(!equal);
     if (n.op == "<") return truth_of(!equal && a < b);
     if (n.op == ">") return truth_of(!equal && a > b);

@@ -126,7 +126,7 @@ constexpr std::string_view made_facts = R"(# Numbers
 | grows(N) | `n in [0, 1]`, `D in {-1, 1}`, `next in {n + D, n, n + 3}` |
 )";
 
-Theory numbers(const std::string& from = "", const std::string& to = "") {
+Theory sentences(const std::string& from = "", const std::string& to = "") {
   static std::string kept;
   kept = made_facts;
   if (!from.empty()) {
@@ -171,7 +171,7 @@ TEST_CASE("measured numbers have an accuracy: those closer together are equal, a
 }
 
 TEST_CASE("a fact holds on all instances of its thing, or it is refuted by one") {
-  const Theory theory = numbers();
+  const Theory theory = sentences();
   const Meaning meaning(theory);
   CHECK(meaning.of(parse_fact("even(two)")).instances > 0);
   CHECK(meaning.of(parse_fact("even(two)")).counterexample.empty());
@@ -182,16 +182,16 @@ TEST_CASE("a fact holds on all instances of its thing, or it is refuted by one")
 
 TEST_CASE("a rule holds on general instances, and each of its premises is needed there") {
   const auto run_of = [](const Theory& theory) { return Meaning(theory).of(theory.inferences.at("grows")); };
-  const Run whole = run_of(numbers());
+  const Run whole = run_of(sentences());
   CHECK(whole.instances > 0);
   CHECK(whole.counterexample.empty());
   CHECK(whole.idle.empty());
   const std::string needs = "successor(N), positive(D)";
-  CHECK(holds(run_of(numbers(needs, "successor(N)")).counterexample, "grows(N) does not follow, by grows"));
-  CHECK(holds(run_of(numbers("`next > n`", "`next < n`")).counterexample, "does not follow"));
-  CHECK(run_of(numbers(needs, needs + ", even(N)")).idle == std::vector<std::string>{"even(N)"});
-  CHECK(run_of(numbers("n + 3}`", "n + 3}`, idle even(N)")).idle.empty());
-  CHECK(run_of(numbers("| grows(N) | `n in", "| even(N) | `n in")).instances == 0);
+  CHECK(holds(run_of(sentences(needs, "successor(N)")).counterexample, "grows(N) does not follow, by grows"));
+  CHECK(holds(run_of(sentences("`next > n`", "`next < n`")).counterexample, "does not follow"));
+  CHECK(run_of(sentences(needs, needs + ", even(N)")).idle == std::vector<std::string>{"even(N)"});
+  CHECK(run_of(sentences("n + 3}`", "n + 3}`, idle even(N)")).idle.empty());
+  CHECK(run_of(sentences("| grows(N) | `n in", "| even(N) | `n in")).instances == 0);
 }
 
 TEST_CASE("instances that are not as described are errors") {
@@ -206,11 +206,11 @@ TEST_CASE("instances that are not as described are errors") {
                                                         {"| grows(N) | `n in", "| shrinks(N) | `n in"},
                                                         {"floor(n/2)", "floor(m/2)"},
                                                         {"floor(n/2)", "floor(n/2"}}) {
-    CHECK_THROWS_AS_MESSAGE(Meaning(numbers(from, to)), std::logic_error, to);
+    CHECK_THROWS_AS_MESSAGE(Meaning(sentences(from, to)), std::logic_error, to);
   }
-  const Theory none = numbers("`D = 1`", "`D = 1`, where `D = 2`");
+  const Theory none = sentences("`D = 1`", "`D = 1`, where `D = 2`");
   CHECK_THROWS_AS(Meaning(none).of(parse_fact("even(whole)")), std::logic_error);
-  const Theory never = numbers("D in {-1, 1}", "D = -1");
+  const Theory never = sentences("D in {-1, 1}", "D = -1");
   CHECK_THROWS_AS(Meaning(never).of(never.inferences.at("grows")), std::logic_error);
 }
 
