@@ -47,7 +47,7 @@ void refuse_conflicts(const Given& given, const SolveOptions& options) {
   const bool follows = !options.load_steps.empty(), both = options.both_directions;
   const bool csv = options.common.format == Format::csv;
   constexpr const char* one_table = "a CSV file is one table";
-  constexpr std::initializer_list<const char*> no_intervals{"--load-steps", "--both-directions"};
+  const std::initializer_list<const char*> no_intervals{"--load-steps", "--both-directions"};
   constexpr const char* one_load_and_direction = "the intervals are those of one load and direction";
   refuse({
       conflict("--load-steps", follows, {"--at", "--at-file", "--samples"}, "samples are those of one load"),

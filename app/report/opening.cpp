@@ -23,7 +23,7 @@ std::string tiles(std::string_view what, std::string_view href, const Counts& co
   std::string html = span("counted", what);
   for (const auto& [verdict, n] : counts) {
     html += element("a", element("b", std::to_string(n)) + " " + element("span", verdict),
-                    {{"href", href}, {"class", fmt::format("tile {}", verdict)}});
+                    {{"href", href}, {"class", fmt::format("tile {}", verdict.substr(0, verdict.find(' ')))}});
   }
   return block("div", html, {{"class", "tiles"}, {"id", fmt::format("tiles-{}", href.substr(1))}});
 }

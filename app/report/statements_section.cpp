@@ -38,7 +38,10 @@ std::string paper_html(const VerifyResult& result) {
     if (said.empty() && instances.empty()) continue;
     std::string entries = said;
     if (!instances.empty()) entries += (said.empty() ? "" : "; ") + ("instances: " + instances);
-    const std::string mark = verdict ? badge(*verdict) : "not examined as a whole";
+    std::string mark = verdict ? badge(*verdict) : "not examined as a whole";
+    if (verdict == Verdict::proved && statement.reconstructed) mark += " as reconstructed";
+    if (verdict == Verdict::proved && !statement.restriction.empty())
+      mark += " but for " + prose(statement.restriction);
     if (statement.place.empty()) {
       beyond.push_back({prose(statement.what), mark, entries});
     } else {

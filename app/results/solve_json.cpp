@@ -23,6 +23,8 @@ Json json_of(const NumberText& number) { return number_json(number); }
 Json json_of(const Json& json) { return json; }
 Json json_of(const std::vector<NumberText>& list) { return array(list, number_json); }
 
+Json json_of(const IntervalText& interval) { return {{"from", interval.from}, {"to", interval.to}}; }
+
 Json json_of(const LimitText& limits) {
   if (!limits.two_sided()) return number_json(limits.left);
   return {{"left", number_json(limits.left)}, {"right", number_json(limits.right)}};
@@ -181,8 +183,6 @@ Json bound_json(const BoundText& bound) {
   if (!bound.proved) return {{"status", "not_proved"}, {"reason", bound.reason}};
   return {{"status", "proved"}, {"cells", bound.cells}, {"energy", bound.energy}, {"largest_gap", bound.largest_gap}};
 }
-
-Json json_of(const IntervalText& interval) { return {{"from", interval.from}, {"to", interval.to}}; }
 
 Json tolerance_json(const ToleranceText& tolerance) {
   Json json{{"profile", tolerance.profile}, {"friction", tolerance.friction}};

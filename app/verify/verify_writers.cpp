@@ -203,7 +203,7 @@ void write_verify_json(const VerifyResult& result, Output& output) {
   json["rules"] = {{"run", rules.run}, {"in_words", rules.in_words}};
   json["claims"] = Json::array();
   for (const checks::Report& report : result.reports) json["claims"].push_back(report_json(report));
-  for (const auto& [verdict, n] : checks::statement_counts(result.reports)) json["statement_counts"][verdict] = n;
+  for (const auto& [standing, n] : checks::statement_counts(result.reports)) json["statement_counts"][standing] = n;
   json["statements"] = Json::array();
   for (const checks::PaperStatement& statement : checks::paper_statements()) {
     const auto verdict = checks::verdict_of(statement, result.reports);
@@ -211,11 +211,13 @@ void write_verify_json(const VerifyResult& result, Output& output) {
     json["statements"].push_back(typeset({{"place", statement.place},
                                           {"statement", statement.what},
                                           {"verdict", name_of(*verdict)},
+                                          {"standing", standing(statement, *verdict)},
                                           {"scope", statement.scope},
+                                          {"restriction", statement.restriction},
                                           {"entries", statement.claims},
                                           {"instances", statement.instances},
                                           {"rules_in_words", rules_in_words(statement, result.reports)}},
-                                         {"statement", "scope"}));
+                                         {"statement", "scope", "restriction"}));
   }
   json["reading_notes"] = Json::array();
   for (const checks::ReadingNote& note : result.notes) {

@@ -7,9 +7,9 @@ from collections import Counter
 VERDICTS = "[proved, supported, undecided or refuted](proofs.md)"
 
 
-def counted(verdicts):
+def counted(verdicts, names=("proved", "supported", "undecided", "refuted")):
     counts = Counter(verdicts)
-    return ", ".join(f"{counts[one]} {one}" for one in ("proved", "supported", "undecided", "refuted"))
+    return ", ".join(f"{counts[one]} {one}" for one in names)
 
 
 def made(found):
@@ -42,12 +42,16 @@ def notes_of(found):
 def statements(found):
     notes = notes_of(found)
 
+    def standing(one):
+        but_for = one["html"]["restriction"]
+        return one["standing"] + (f": {but_for}" if but_for else "")
+
     def row(one):
         entries = one["entries"] + one["instances"]
         own = sorted({note for entry in entries for note in notes.get(entry, ())})
         ids = [links("entries", one["entries"])] if one["entries"] else []
         ids += ["instances: " + links("entries", one["instances"])] if one["instances"] else []
-        return [html.escape(one["place"]), one["html"]["statement"], one["verdict"], one["html"]["scope"], "; ".join(ids),
+        return [html.escape(one["place"]), one["html"]["statement"], standing(one), one["html"]["scope"], "; ".join(ids),
                 links("reading-notes", own, "note-")]
 
     heads = ["place", "statement", "verdict", "scope", "entries", "reading notes"]
@@ -55,7 +59,7 @@ def statements(found):
     return ["# The paper, statement by statement",
             f"Each statement of [Bal16] is {VERDICTS}. An entry of the ledger says it, or a part of it, and has its proof, its "
             "evidence and its controls; a reading note says where the text at hand and the derivation differ.",
-            f"{len(paper)} statements: {counted(one['verdict'] for one in paper)}. {made(found)}",
+            f"{len(paper)} statements: {counted((one['standing'] for one in paper), found['statement_counts'])}. {made(found)}",
             table(heads, [row(one) for one in paper]), "## Beyond the paper", table(heads, [row(one) for one in beyond])]
 
 

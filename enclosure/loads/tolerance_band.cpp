@@ -46,16 +46,17 @@ Ball ToleranceBand::load_share(std::size_t k, const Ball& share) const {
 Ball ToleranceBand::effective_friction(const Ball& friction) const {
   const std::vector<Rational>& values = problem_.friction().values();
   const auto [least, largest] = std::minmax_element(values.begin(), values.end());
+  const Rational low = std::max(Rational(0), Rational(*least - friction_tolerance_));
+  const Rational high = *largest + friction_tolerance_;
   Rational sum = 0;
+  bool bounded = true;
   for (std::size_t k = 0; k < rises_.size(); ++k) {
     const Rational jump = values[k + 1] - values[k];
-    if (jump == 0) continue;
-    if (rises_[k] == 0) return Ball::hull(Ball(*least - friction_tolerance_), Ball(*largest + friction_tolerance_));
-    sum += jump * jump / rises_[k];
+    bounded = bounded && (jump == 0 || rises_[k] != 0);
+    if (rises_[k] != 0) sum += jump * jump / rises_[k];
   }
-  const Ball moved = deviation(sum) + Ball(friction_tolerance_, tolerance_bits);
-  return widened(friction, moved, std::max(Rational(0), Rational(*least - friction_tolerance_)),
-                 *largest + friction_tolerance_);
+  const Ball moved = bounded ? deviation(sum) + Ball(friction_tolerance_, tolerance_bits) : Ball(high, tolerance_bits);
+  return widened(friction, moved, low, high);
 }
 
 }  // namespace steadyslide::enclosure

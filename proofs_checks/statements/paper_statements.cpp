@@ -1,6 +1,7 @@
 #include "proofs_checks/statements/paper_statements.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <ranges>
 #include <string>
@@ -22,9 +23,13 @@ const std::vector<PaperStatement>& paper_statements() {
       const std::string_view rest = line.substr(colon + 2);
       if (line.starts_with("- ")) {
         const std::string_view place = head.substr(2);
-        statements.push_back({place == "beyond the paper" ? "" : place, rest, {}, {}, {}});
+        statements.push_back({place == "beyond the paper" ? "" : place, rest, {}, {}, {}, {}});
       } else if (head == "  scope") {
         statements.back().scope = rest;
+      } else if (head == "  restriction") {
+        statements.back().restriction = rest;
+      } else if (head == "  words") {
+        statements.back().reconstructed = rest == "reconstructed";
       } else if (head == "  claims" || head == "  instances") {
         PaperStatement& last = statements.back();
         for (const auto id : std::views::split(rest, std::string_view(", "))) {
@@ -47,15 +52,24 @@ std::optional<Verdict> verdict_of(const PaperStatement& statement, std::span<con
   return weakest;
 }
 
+constexpr std::array<std::string_view, 3> proved{"proved as printed", "proved with a restriction",
+                                                 "proved as reconstructed"};
+
+std::string_view standing(const PaperStatement& statement, Verdict verdict) {
+  if (verdict != Verdict::proved) return name_of(verdict);
+  return statement.reconstructed ? proved[2] : statement.restriction.empty() ? proved[0] : proved[1];
+}
+
 std::vector<std::pair<std::string_view, std::size_t>> statement_counts(std::span<const Report> reports) {
-  std::map<Verdict, std::size_t> counts;
+  std::map<std::string_view, std::size_t> counts;
   for (const PaperStatement& statement : paper_statements()) {
     const auto verdict = statement.place.empty() ? std::nullopt : verdict_of(statement, reports);
-    if (verdict) ++counts[*verdict];
+    if (verdict) ++counts[standing(statement, *verdict)];
   }
   std::vector<std::pair<std::string_view, std::size_t>> result;
-  for (const Verdict verdict : {Verdict::proved, Verdict::supported, Verdict::undecided, Verdict::refuted}) {
-    result.emplace_back(name_of(verdict), counts[verdict]);
+  for (const std::string_view name : proved) result.emplace_back(name, counts[name]);
+  for (const Verdict verdict : {Verdict::supported, Verdict::undecided, Verdict::refuted}) {
+    result.emplace_back(name_of(verdict), counts[name_of(verdict)]);
   }
   return result;
 }

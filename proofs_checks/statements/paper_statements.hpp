@@ -21,6 +21,9 @@ struct PaperStatement {
   std::string_view scope;
   std::vector<std::string_view> claims;     ///< claims that express the statement
   std::vector<std::string_view> instances;  ///< claims that examine instances of it
+  /// The part of the printed statement that the claims do not say; empty if they say all of it.
+  std::string_view restriction;
+  bool reconstructed = false;  ///< the printed words were not seen
 };
 
 const std::vector<PaperStatement>& paper_statements();
@@ -28,11 +31,15 @@ const std::vector<PaperStatement>& paper_statements();
 /// Returns the weakest verdict of the claims that express the statement, or nothing if one of them was not examined.
 std::optional<Verdict> verdict_of(const PaperStatement& statement, std::span<const Report> reports);
 
-/// Returns the number of the paper's statements with each verdict, from proved to refuted. Statements beyond the paper,
+/// Returns the verdict in words: "proved as printed", "proved with a restriction", "proved as reconstructed", or the name
+/// of another verdict.
+std::string_view standing(const PaperStatement& statement, Verdict verdict);
+
+/// Returns the number of the paper's statements with each standing, from proved to refuted. Statements beyond the paper,
 /// and those with a claim that was not examined, do not count.
 std::vector<std::pair<std::string_view, std::size_t>> statement_counts(std::span<const Report> reports);
 
-/// Returns "20 proved, 9 supported, 5 undecided, 0 refuted" for the paper's statements, without those beyond it.
+/// Returns "20 proved as printed, 1 proved with a restriction, ..., 0 refuted" for the paper's statements, without those beyond it.
 /// Returns an empty text if a claim of a statement was not examined.
 std::string statements_line(std::span<const Report> reports);
 

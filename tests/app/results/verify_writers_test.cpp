@@ -68,7 +68,7 @@ TEST_CASE("the verdict on a statement of the paper is that of its weakest claim"
   const auto reported = [](const char* id, Verdict verdict) {
     return Report{{id, "", "", ""}, verdict, {}, "", {}, 0};
   };
-  const PaperStatement statement{"(1)", "", "", {"a", "b"}, {"c"}};
+  const PaperStatement statement{"(1)", "", "", {"a", "b"}, {"c"}, "", false};
   std::vector<Report> reports{reported("a", Verdict::proved), reported("c", Verdict::undecided)};
   CHECK_FALSE(verdict_of(statement, reports));
   reports.push_back(reported("b", Verdict::supported));
@@ -82,6 +82,13 @@ TEST_CASE("the verdict on a statement of the paper is that of its weakest claim"
   CHECK(refuted(reports) == std::pair<std::string_view, std::size_t>("refuted", 1));
   reports.back().claim.id = "gamma-range";
   CHECK(refuted(reports).second == 0);
+  PaperStatement part = statement;
+  CHECK(standing(part, Verdict::proved) == "proved as printed");
+  part.restriction = "without bounded bodies";
+  CHECK(standing(part, Verdict::proved) == "proved with a restriction");
+  CHECK(standing(part, Verdict::supported) == "supported");
+  part.reconstructed = true;
+  CHECK(standing(part, Verdict::proved) == "proved as reconstructed");
 }
 
 TEST_CASE("Markdown escapes characters that would end a cell") {
