@@ -39,8 +39,8 @@ std::string paper_html(const VerifyResult& result) {
     std::string entries = said;
     if (!instances.empty()) entries += (said.empty() ? "" : "; ") + ("instances: " + instances);
     std::string mark = verdict ? badge(*verdict) : "not examined as a whole";
-    if (verdict == Verdict::proved && statement.reconstructed) mark += " as reconstructed";
-    if (verdict == Verdict::proved && !statement.restriction.empty())
+    if (verdict == checks::Verdict::proved && statement.reconstructed) mark += " as reconstructed";
+    if (verdict == checks::Verdict::proved && !statement.restriction.empty())
       mark += " but for " + prose(statement.restriction);
     if (statement.place.empty()) {
       beyond.push_back({prose(statement.what), mark, entries});
