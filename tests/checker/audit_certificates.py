@@ -4,7 +4,8 @@
 Makes random problems from the seed `first` on, until `count` of them have a certificate: notches, steps, wedges on jumps, tilting
 indenters, and mixtures of them. In some of them friction almost does not jump. Solves each with --certify --certificate, and
 gives the certificate to steadyslide-check --problem. An answer may take at most `seconds` of processor time. `folder` receives
-the problem files of the failures.
+the problem files of the failures. With --falling, s = gamma f falls towards +x at every jump, from at most 5; --family selects
+one kind of problem.
 
 The test misses an error in the model that both programs share; both read problem files. With 16 digits it misses errors that
 occur only if the bounds need more bits.
@@ -12,6 +13,7 @@ occur only if the bounds need more bits.
 
 import argparse
 import collections
+import json
 import os
 import pathlib
 import random
@@ -66,9 +68,12 @@ def pieces_of(places, slopes, heights=None, rounded=False):
     return "support = [-1, 1]\npieces = [\n" + ",\n".join(lines) + "\n]\n"
 
 
-def problem(seed):
+FAMILIES = ("notch", "steps", "wedge on a jump", "tilt", "mixture")
+
+
+def problem(seed, family=None, falling=False):
     draw = Draw(seed)
-    family = ("notch", "steps", "wedge on a jump", "tilt", "mixture")[seed % 5]
+    family = family or FAMILIES[seed % 5]
     corner = draw.among(0.0, round(draw.between(-0.7, 0.7), 2))
     breaks = [corner]
     if family == "notch":
@@ -95,9 +100,16 @@ def problem(seed):
         values[1] = values[0] + draw.among(1, -1) * draw.size(1e-14, 1e-3)
     load = draw.size(0.02, 5)
     at = f'load_at = "{draw.between(-0.3, 0.3, 60):.9g}"\n' if family == "tilt" else ""
+    sliding = draw.among("+x", "-x")
+    poisson, plane = f"{draw.between(-0.5, 0.49):.3g}", draw.among("strain", "stress")
+    if falling:
+        nu = float(poisson)
+        gamma = (1 - 2 * nu) / (2 - 2 * nu) if plane == "strain" else (1 - nu) / 2
+        jumps = jumps or {round(draw.between(-0.5, 0.5), 2)}
+        values = sorted((round(draw.size(0.02, 5) / gamma, 3) for _ in range(len(jumps) + 1)), reverse=sliding == "+x")
     quoted = lambda numbers: ", ".join(f'"{number!r}"' for number in numbers)
-    return family, (f'# seed {seed}, {family}\nload = "{text(load)}"\n{at}sliding = "{draw.among("+x", "-x")}"\n'
-                    f'[half_space]\npoisson = "{draw.between(-0.5, 0.49):.3g}"\nplane = "{draw.among("strain", "stress")}"\n'
+    return family, (f'# seed {seed}, {family}\nload = "{text(load)}"\n{at}sliding = "{sliding}"\n'
+                    f'[half_space]\npoisson = "{poisson}"\nplane = "{plane}"\n'
                     f'[friction]\nvalues = [{quoted(values)}]\njumps = [{quoted(sorted(jumps))}]\n[indenter]\n{indenter}')
 
 
@@ -126,6 +138,8 @@ def main():
     parser.add_argument("first", type=int)
     parser.add_argument("count", type=int)
     parser.add_argument("folder", type=pathlib.Path, nargs="?")
+    parser.add_argument("--family", choices=FAMILIES)
+    parser.add_argument("--falling", action="store_true")
     parser.add_argument("--digits", default="16")
     parser.add_argument("--seconds", type=int, default=10)
     arguments = parser.parse_args()
@@ -135,7 +149,7 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         while counts["certificates"] < arguments.count:
-            family, problem_file = problem(seed)
+            family, problem_file = problem(seed, arguments.family, arguments.falling)
             (folder / "p.toml").write_text(problem_file)
             (folder / "c.json").unlink(missing_ok=True)
 
@@ -153,11 +167,14 @@ def main():
             elif (folder / "c.json").exists():
                 counts["certificates"] += 1
                 counts[family] += 1
+                claims = json.loads((folder / "c.json").read_text())["claims"]
+                counts["claim one solution"] += any(value is True for claim, value in claims.items() if claim != "exists")
                 code, said, seconds = answered([arguments.checker, "--problem", "p.toml", "c.json"], folder,
                                                arguments.seconds)
                 slowest["checker"] = max(slowest["checker"], (seconds, seed))
                 if code != 0:
                     failed("checker", said)
+                counts["checked"] += code == 0
             elif code in (1, 2):
                 counts["not proved"] += 1
                 if kept:
