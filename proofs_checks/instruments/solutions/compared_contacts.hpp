@@ -1,0 +1,92 @@
+#pragma once
+// Laws that compare two solved contacts under one friction, one indenter or one load. A law returns numbers by name; it
+// holds if none of them is above 0. By the Riemann-Hilbert method a strict law must hold by more than the errors of the
+// solutions. On cells, whose errors may exceed a difference, it may not fail by more than twice these errors.
+//
+// s = +-gamma f is signed by the direction of sliding. An attitude is a slope omega that is added to the profile, so a
+// larger omega lifts the right side of the indenter. q = p_1 - p_2 is the difference of the pressures.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "numeric/solution/contact_solution.hpp"
+#include "proofs_checks/kit/random.hpp"
+#include "proofs_checks/kit/values.hpp"
+
+namespace steadyslide::proofs_checks {
+
+/// Two methods that share no code.
+enum class Method { riemann_hilbert, cells };
+std::string_view name_of(Method method);
+/// Returns the method for case number k: the two in turn.
+inline Method method_of(std::size_t k) { return k % 2 == 0 ? Method::riemann_hilbert : Method::cells; }
+
+struct SolvedContact {
+  ContactProblem problem;
+  Method method;
+  std::shared_ptr<const numeric::ContactSolution<double>> solution;
+};
+/// Returns nothing if the method finds no solution that meets all conditions.
+std::optional<SolvedContact> solved_contact(const ContactProblem& problem, Method method);
+
+/// By name, how far a law fails: at most 0 if it holds.
+using Shortfalls = std::vector<std::pair<std::string, double>>;
+/// Returns the same for a claim.
+Values values_of(const Shortfalls& shortfalls);
+
+/// Returns the signs of q from left to right, one for each stretch of one sign. Places are graded towards all singular
+/// points and free ends of both solutions, to 1e-11 of the distance between two of them. A place counts if q exceeds
+/// its error. At a singular point of both solutions the leading terms decide.
+std::vector<int> signs_of_difference(const SolvedContact& one, const SolvedContact& other);
+
+// Each law takes two contacts with equal data but for those in its name.
+
+/// Under the larger load no pressure is smaller ("fall"), no contact is lost ("lost"), no gap is wider ("gap"), and
+/// int |q| is the difference of the loads ("distance").
+Shortfalls load_law(const SolvedContact& larger, const SolvedContact& smaller);
+/// Profiles that differ by a polynomial of degree m >= 1, under any loads: the pressures cross at most m times
+/// ("crossings").
+Shortfalls crossing_law(const SolvedContact& one, const SolvedContact& other, int m);
+/// Under the larger slope the centre of pressure lies further left ("centre"), q is positive on the left and negative
+/// on the right ("order"), and no load up to a place is smaller ("cumulative").
+Shortfalls attitude_law(const SolvedContact& larger, const SolvedContact& smaller);
+/// s_1 >= s_2: under s_1 the centre of pressure lies further left ("centre"), int s p is larger ("mean"), and q is
+/// positive next to the left end and negative next to the right one ("ends"; by the Riemann-Hilbert method alone). If
+/// the indenter may tilt, its tilt is smaller ("tilt"), and nothing else is compared. Numbers are in units of
+/// int (s_1 - s_2) p_2 / P; returns nothing if this is less than 1e-9, because s then differs only where no load is.
+Shortfalls friction_law(const SolvedContact& larger, const SolvedContact& smaller);
+
+/// Returns a law of two problems, solved by one method; nothing if one of them is not solved.
+template <class Law>
+Shortfalls compared_by(Method method, const ContactProblem& one, const ContactProblem& other, const Law& law) {
+  const auto first = solved_contact(one, method);
+  const auto second = solved_contact(other, method);
+  return first && second ? law(*first, *second) : Shortfalls();
+}
+
+/// Returns the number of components minus the largest possible number.
+int components_above_bound(const SolvedContact& contact);
+/// Returns the largest possible number of contact components under any friction, load and attitude: the sum over the
+/// profile's pieces of 1 + the largest number of gaps on it. With d the degree of the slope, its tilt included, this
+/// number is d/2 for even d; for odd d, (d-1)/2 if the leading coefficient is positive, otherwise (d+1)/2.
+int most_components(const Indenter& indenter);
+
+/// Returns the tilt under which the centre of pressure is load_at, from solutions with a given attitude, by bracketing.
+/// Returns nothing if one of them is not found.
+std::optional<double> tilt_by_bracketing(const ContactProblem& problem, Method method);
+
+/// Returns the problem with a polynomial added to every piece of the profile.
+ContactProblem with_profile_plus(const ContactProblem& problem, const Polynomial& polynomial);
+/// Returns the problem with an indenter that may tilt, or may not.
+ContactProblem with_load_at(const ContactProblem& problem, std::optional<Rational> load_at);
+/// Returns c P over the length of the support, the usual size of a slope.
+Rational usual_slope(const ContactProblem& problem);
+
+/// Returns a problem on [-1, 1] with 0 <= |s| <= 5 and one to three jumps, at which s mostly falls. The profile is, by
+/// the remainder of k by 5: a quartic with one to three wells, a wedge, a wedge beside a notch, a parabola with a step,
+/// two bumps.
+ContactProblem random_falling_contact(Random& random, std::size_t k);
+
+}  // namespace steadyslide::proofs_checks
