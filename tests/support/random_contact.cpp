@@ -344,6 +344,7 @@ ContactProblem random_contact(std::uint64_t seed, ContactFamily family) {
   using enum ContactFamily;
   Dice dice(seed);
   const bool quartic = family == limits_of_poisson && dice.chance(25);
+  const bool falling = family == falling_frictions;
   Shape shape = quartic                 ? flat_bottom(dice)
                 : family == short_gaps  ? short_gap(dice)
                 : family == notches     ? notch(dice)
@@ -351,16 +352,24 @@ ContactProblem random_contact(std::uint64_t seed, ContactFamily family) {
                                         : any_shape(dice);
   const bool may_tilt = dice.chance(family == limits_of_poisson ? 40 : 10);
   if (!may_tilt) shape.load_at.reset();
-  const Elasticity elasticity = family == limits_of_poisson ? limiting_elasticity(dice) : any_elasticity(dice);
+  const Elasticity elasticity = family == limits_of_poisson ? limiting_elasticity(dice)
+                                : falling                   ? Elasticity(Solid(0, 1))  // gamma = 1/2
+                                                            : any_elasticity(dice);
   const std::vector<Rational> jumps = family == many_wedges ? jumps_on_wedges(dice, shape) : any_jumps(dice, shape);
   std::vector<Rational> values;
   if (family == neighbouring_frictions) values = neighbouring_values(dice, jumps.size() + 1);
   while (values.size() <= jumps.size()) {
-    values.push_back(family == large_frictions && dice.chance(70) ? Rational(dice.whole(20, 50)) : any_friction(dice));
+    values.push_back(falling                                        ? dice.part(0, 1000, 100)
+                     : family == large_frictions && dice.chance(70) ? Rational(dice.whole(20, 50))
+                                                                    : any_friction(dice));
   }
   const Rational height =
       dice.one_of_these({Rational(1, 1000), Rational(1, 100), Rational(1, 20), Rational(1, 4), 1, 3});
   const Sliding sliding = dice.chance(50) ? Sliding::plus_x : Sliding::minus_x;
+  if (falling) {
+    std::sort(values.begin(), values.end());
+    if (sliding == Sliding::plus_x) std::reverse(values.begin(), values.end());
+  }
   const ContactProblem unit(elasticity, FrictionProfile(values, jumps), Indenter(-1, shape.pieces),
                             rounded(shape.load / elasticity.compliance()), sliding, shape.load_at);
   const Rational length = dice.one_of_these({Rational(1, 4), Rational(1, 2), 1, 1, 2, 5});

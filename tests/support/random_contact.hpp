@@ -39,7 +39,8 @@ enum class ContactFamily {
   notches,                 ///< contact that ends beside a notch, or leaves an almost closed gap over it
   many_wedges,             ///< six to twenty bumps with wedges, friction jumps on them
   limits_of_poisson,       ///< nu within 1e-2 to 1e-9 of 1/2, 0 and -1, more of them with an indenter that may tilt
-  large_frictions          ///< f mostly from 20 to 50
+  large_frictions,         ///< f mostly from 20 to 50
+  falling_frictions        ///< s = gamma f falls towards +x at every jump, from at most 5; one in five has a notch
 };
 
 inline constexpr std::pair<ContactFamily, std::string_view> contact_families[] = {
@@ -49,7 +50,8 @@ inline constexpr std::pair<ContactFamily, std::string_view> contact_families[] =
     {ContactFamily::notches, "notches"},
     {ContactFamily::many_wedges, "many-wedges"},
     {ContactFamily::limits_of_poisson, "limits-of-poisson"},
-    {ContactFamily::large_frictions, "large-frictions"}};
+    {ContactFamily::large_frictions, "large-frictions"},
+    {ContactFamily::falling_frictions, "falling-frictions"}};
 
 /// Returns the family of this name; absent for other names.
 std::optional<ContactFamily> contact_family(std::string_view name);
