@@ -1,4 +1,5 @@
-#include "proofs_checks/instruments/solutions/compared_contacts.hpp"
+#include "proofs_checks/instruments/solutions/contact_laws.hpp"
+#include "proofs_checks/instruments/solutions/falling_contacts.hpp"
 #include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::attitude_monotone_solved {
@@ -12,7 +13,7 @@ struct Attitude {
 };
 
 std::string text_of(const Attitude& c) {
-  return text_of(c.problem) + ", slope " + to_string(c.slope) + ", " + std::string(name_of(c.method));
+  return proofs_checks::text_of(c.problem) + ", slope " + to_string(c.slope) + ", " + std::string(name_of(c.method));
 }
 
 /// Takes the added slope in units of the usual one; if absent, it is random.

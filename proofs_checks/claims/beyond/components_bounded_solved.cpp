@@ -1,4 +1,5 @@
-#include "proofs_checks/instruments/solutions/compared_contacts.hpp"
+#include "proofs_checks/instruments/solutions/contact_laws.hpp"
+#include "proofs_checks/instruments/solutions/falling_contacts.hpp"
 #include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::components_bounded_solved {
@@ -9,7 +10,9 @@ struct Bumps {
   Method method;
 };
 
-std::string text_of(const Bumps& c) { return text_of(c.problem) + ", " + std::string(name_of(c.method)); }
+std::string text_of(const Bumps& c) {
+  return proofs_checks::text_of(c.problem) + ", " + std::string(name_of(c.method));
+}
 
 /// Returns a polynomial of degree 2 to 7 on [-1, 1] with the height 0 at `wells` places inside, and at the left end, or
 /// at both ends; positive elsewhere. Under a small load contact is at all these places.
@@ -47,7 +50,7 @@ Claim claim() {
       .measured([](const Bumps& c) -> Values {
         const auto found = solved_contact(c.problem, c.method);
         if (!found) return {};
-        return {{"components", static_cast<double>(found->solution->contact().size())}};
+        return {{"components", static_cast<double>(components_of(*found))}};
       })
       .predicted([](const Bumps& c) -> Values {
         return {{"components", static_cast<double>(most_components(c.problem.indenter()))}};

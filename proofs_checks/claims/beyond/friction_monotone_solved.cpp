@@ -1,4 +1,5 @@
-#include "proofs_checks/instruments/solutions/compared_contacts.hpp"
+#include "proofs_checks/instruments/solutions/contact_laws.hpp"
+#include "proofs_checks/instruments/solutions/falling_contacts.hpp"
 #include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::friction_monotone_solved {
@@ -12,7 +13,8 @@ struct TwoFrictions {
 };
 
 std::string text_of(const TwoFrictions& c) {
-  return text_of(c.larger) + " and " + text_of(c.smaller) + ", " + std::string(name_of(c.method));
+  return proofs_checks::text_of(c.larger) + " and " + proofs_checks::text_of(c.smaller) + ", " +
+         std::string(name_of(c.method));
 }
 
 /// Takes the growth of s in units of a random one on every piece; `mixed` changes its sign from piece to piece.

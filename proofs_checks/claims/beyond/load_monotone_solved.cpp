@@ -1,4 +1,5 @@
-#include "proofs_checks/instruments/solutions/compared_contacts.hpp"
+#include "proofs_checks/instruments/solutions/contact_laws.hpp"
+#include "proofs_checks/instruments/solutions/falling_contacts.hpp"
 #include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::load_monotone_solved {
@@ -11,7 +12,8 @@ struct TwoLoads {
 };
 
 std::string text_of(const TwoLoads& c) {
-  return text_of(c.problem) + ", load times " + to_string(c.growth) + ", " + std::string(name_of(c.method));
+  return proofs_checks::text_of(c.problem) + ", load times " + to_string(c.growth) + ", " +
+         std::string(name_of(c.method));
 }
 
 auto loads(const std::optional<Rational>& growth) {
@@ -25,15 +27,7 @@ auto loads(const std::optional<Rational>& growth) {
   };
 }
 
-/// Returns a profile with two bumps; the load acts close to the right one.
-CaseList<TwoLoads> tilting(const Context&) {
-  const Indenter bumps(-1, {{1, Polynomial({0, 0, Rational(-9, 10), 0, 1})}});
-  return {{{{Elasticity::reduced(Rational(1, 2)), FrictionProfile({0}), bumps, Rational(13, 10), Sliding::plus_x,
-             Rational(5, 8)},
-            3,
-            Method::riemann_hilbert}},
-          "two bumps"};
-}
+CaseList<TwoLoads> tilting(const Context&) { return {{{tilting_bumps(), 3, Method::riemann_hilbert}}, "two bumps"}; }
 
 }  // namespace
 

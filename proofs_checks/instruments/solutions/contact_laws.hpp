@@ -6,40 +6,19 @@
 // s = +-gamma f is signed by the direction of sliding. An attitude is a slope omega that is added to the profile, so a
 // larger omega lifts the right side of the indenter. q = p_1 - p_2 is the difference of the pressures.
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "numeric/solution/contact_solution.hpp"
-#include "proofs_checks/kit/random.hpp"
+#include "proofs_checks/instruments/solutions/contact_pairs.hpp"
 #include "proofs_checks/kit/values.hpp"
 
 namespace steadyslide::proofs_checks {
-
-/// Two methods that share no code.
-enum class Method { riemann_hilbert, cells };
-std::string_view name_of(Method method);
-/// Returns the method for case number k: the two in turn.
-inline Method method_of(std::size_t k) { return k % 2 == 0 ? Method::riemann_hilbert : Method::cells; }
-
-struct SolvedContact {
-  ContactProblem problem;
-  Method method;
-  std::shared_ptr<const numeric::ContactSolution<double>> solution;
-};
-/// Returns nothing if the method finds no solution that meets all conditions.
-std::optional<SolvedContact> solved_contact(const ContactProblem& problem, Method method);
 
 /// By name, how far a law fails: at most 0 if it holds.
 using Shortfalls = std::vector<std::pair<std::string, double>>;
 /// Returns the same for a claim.
 Values values_of(const Shortfalls& shortfalls);
-
-/// Returns the signs of q from left to right, one for each stretch of one sign. Places are graded towards all singular
-/// points and free ends of both solutions, to 1e-11 of the distance between two of them. A place counts if q exceeds
-/// its error. At a singular point of both solutions the leading terms decide.
-std::vector<int> signs_of_difference(const SolvedContact& one, const SolvedContact& other);
 
 // Each law takes two contacts with equal data but for those in its name.
 
@@ -66,8 +45,9 @@ Shortfalls compared_by(Method method, const ContactProblem& one, const ContactPr
   return first && second ? law(*first, *second) : Shortfalls();
 }
 
-/// Returns the number of components minus the largest possible number.
-int components_above_bound(const SolvedContact& contact);
+/// Returns the number of contact components. A gap counts if it is wider than the errors of its ends: beside the edge of
+/// a flat punch under strong friction the first cells have a gap on every mesh, which the solution does not have.
+int components_of(const SolvedContact& contact);
 /// Returns the largest possible number of contact components under any friction, load and attitude: the sum over the
 /// profile's pieces of 1 + the largest number of gaps on it. With d the degree of the slope, its tilt included, this
 /// number is d/2 for even d; for odd d, (d-1)/2 if the leading coefficient is positive, otherwise (d+1)/2.
@@ -76,17 +56,5 @@ int most_components(const Indenter& indenter);
 /// Returns the tilt under which the centre of pressure is load_at, from solutions with a given attitude, by bracketing.
 /// Returns nothing if one of them is not found.
 std::optional<double> tilt_by_bracketing(const ContactProblem& problem, Method method);
-
-/// Returns the problem with a polynomial added to every piece of the profile.
-ContactProblem with_profile_plus(const ContactProblem& problem, const Polynomial& polynomial);
-/// Returns the problem with an indenter that may tilt, or may not.
-ContactProblem with_load_at(const ContactProblem& problem, std::optional<Rational> load_at);
-/// Returns c P over the length of the support, the usual size of a slope.
-Rational usual_slope(const ContactProblem& problem);
-
-/// Returns a problem on [-1, 1] with 0 <= |s| <= 5 and one to three jumps, at which s mostly falls. The profile is, by
-/// the remainder of k by 5: a quartic with one to three wells, a wedge, a wedge beside a notch, a parabola with a step,
-/// two bumps.
-ContactProblem random_falling_contact(Random& random, std::size_t k);
 
 }  // namespace steadyslide::proofs_checks
