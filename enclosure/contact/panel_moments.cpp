@@ -51,7 +51,8 @@ PanelMoments::PanelMoments(const std::vector<ContactPanel>& panels, const std::v
     for (const Ball& weight : weights) sums.size += abs(weight).upper().at(64);
     add_moments(std::span(sums.moments).first(first), weights, points);
   };
-  const Sums nothing{std::vector<Ball>(terms, Ball(0, bits)), Ball(0, 64), Ball(0, 64)};
+  const Bits precision = values.empty() || values[0].empty() ? bits : values[0][0].bits();
+  const Sums nothing{std::vector<Ball>(terms, Ball(0, precision)), Ball(0, 64), Ball(0, 64)};
   near_ = {nothing};
   for (std::size_t n = 0; n < most_near; ++n) {
     if (n >= least_near_) near_.push_back(near_.back());
@@ -100,8 +101,8 @@ PanelMoments::Rest PanelMoments::seen_from(const Ball& distance) const {
     Ball sum = value_at(near_[i].moments, inverse);
     // -sum/D * (-1): 1/(D + y) = -(sum_k y^k (-1/D)^k) (-1/D).
     sum *= -inverse;
-    rest.sum +=
-        Ball::plus_or_minus(sum, (near_[i].size * cut + near_[i].remainder * Ball(5)) * pole_bound(distance.at(64)));
+    rest.sum += Ball::plus_or_minus(
+        sum, (near_[i].size * cut + near_[i].remainder * Ball(5) / Ball(4)) * pole_bound(distance.at(64)));
   }
   const std::size_t far = std::max({first_far(distance), rest.first, least_far_});
   if (far < count && far - least_far_ < far_.size() && (!distances_ || distance <= distances_->most)) {

@@ -13,7 +13,9 @@
 // farther than the whole range needs fewer moments, because the terms of its expansion decrease faster.
 //
 // The rules' remainders: a panel's far ellipse reaches 4/5 of its length beyond it. A panel is not longer than y at its
-// nearer end, except the one that touches c. So the distance of -D from the ellipse is at least D/5 and y/5.
+// nearer end, except the one that touches c. So the ellipse begins beyond c, or at -4/5 of the length of the panel that
+// touches c, which is at most D/4 if the panel is expanded: the distance of -D from it is at least 4 D/5. For panels
+// with y >= 4 D it is at least y/5, and the rules' remainders contain the distance itself.
 
 #include <optional>
 
@@ -31,7 +33,7 @@ class PanelMoments {
 
   /// `values` are v at each panel's nodes. `sizes` are bounds of the function with these values, in the panel's far
   /// ellipse and without the powers of |Y|. `c` is the side of the segment on which point c lies. `distances` is absent
-  /// if any distance is expected.
+  /// if any distance is expected. Sums have the values' precision, expansions are cut at about 2^-bits.
   PanelMoments(const std::vector<ContactPanel>& panels, const std::vector<std::vector<Ball>>& values,
                const std::vector<Ball>& sizes, Side c, const std::optional<DistanceRange>& distances, Bits bits);
 
@@ -51,7 +53,7 @@ class PanelMoments {
   struct Sums {
     std::vector<Ball> moments;  ///< moments of y^k, or of y^-(k+1)
     Ball size;                  ///< sum |v|, or |v|/y
-    Ball remainder;             ///< remainder of the rules, times D/5, or with the pole's bound
+    Ball remainder;             ///< remainder of the rules, times 4 D/5, or with the pole's bound
   };
 
   /// Returns the number of panels with y <= D/4.

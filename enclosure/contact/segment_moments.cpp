@@ -29,8 +29,8 @@ std::vector<Ball> SegmentMoments::of_weights(const ContactSet& set, std::size_t 
 
 SegmentMoments::SegmentMoments(const ContactSet& set, std::size_t segment, const std::vector<ContactPanel>& panels,
                                const std::vector<Ball>& moments_of_weights, const BallPolynomial& polynomial,
-                               const std::vector<Ball>& sizes)
-    : bits_(set.bits()),
+                               const std::vector<Ball>& sizes, Bits bits)
+    : bits_(bits),
       half_length_(set.length(segment) / Ball(2)),
       nodes_(0),
       size_(0, 64),
@@ -60,7 +60,7 @@ std::optional<Ball> SegmentMoments::seen_from(const Ball& distance, Side facing)
   if (count > std::min(3 * nodes_, moments_.size())) return std::nullopt;
   Ball inverse = Ball(1) / to_middle;
   if (facing == Side::left) inverse = -inverse;
-  Ball sum(0, bits_);
+  Ball sum(0, to_middle.bits());
   for (std::size_t k = count; k-- > 0;) {
     const Bits needed = bits_ - static_cast<Bits>(static_cast<double>(k) * bits_per_term);
     const Bits shown = std::max(needed, Bits{0}) + 16;

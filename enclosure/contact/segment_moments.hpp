@@ -19,10 +19,11 @@ class SegmentMoments {
   static std::vector<Ball> of_weights(const ContactSet& set, std::size_t segment,
                                       const std::vector<ContactPanel>& panels, int degree);
 
-  /// `polynomial` is in xi, with at most that degree. `sizes` are its bounds in each panel's far ellipse.
+  /// `polynomial` is in xi, with at most that degree. `sizes` are its bounds in each panel's far ellipse. Sums have the
+  /// set's precision and are cut at about 2^-bits; at most set.bits().
   SegmentMoments(const ContactSet& set, std::size_t segment, const std::vector<ContactPanel>& panels,
                  const std::vector<Ball>& moments_of_weights, const BallPolynomial& polynomial,
-                 const std::vector<Ball>& sizes);
+                 const std::vector<Ball>& sizes, Bits bits);
 
   /// Returns the sum for a place at `distance` from the segment's point on the side `facing`, with the rules'
   /// remainders. Absent if the distance is too small or too wide for moments to pay off.

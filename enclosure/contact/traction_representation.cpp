@@ -139,7 +139,7 @@ void TractionRepresentation::take_differences(std::size_t segment) {
     }
     if (!moments_of_weights.empty() && k != slope_of(segment)) {
       difference.from_afar.emplace(set_, segment, panels_[segment], moments_of_weights, difference.coefficients,
-                                   difference.sizes);
+                                   difference.sizes, set_.bits());
     }
     differences_[k].push_back(std::move(difference));
   }

@@ -62,9 +62,9 @@ class PieceIntegral {
     if (count == 0) return Ball::unknown(rules_.bits());
     count += count % 2;
     const PowerPanel panel(piece.length, Ball(0), Ball(0), piece.outside, count, rules_);
-    const Ball bound = 2 * bound_within(f, piece.length.at(64) / 2 + panel.reach().at(64)) / panel.half_height();
-    return panel.integral([&](const PowerPanel::Node& node) { return value_at(f, offset(node)) / offset(node); },
-                          bound);
+    const Ball bound = bound_within(f, piece.length.at(64) / 2 + panel.reach().at(64));
+    return panel.sum([&](const PowerPanel::Node& node) { return value_at(f, offset(node)) / offset(node); },
+                     panel.remainder_of_principal_value(bound));
   }
 
   Ball by_trapezoidal_rule(const Piece& piece, const std::optional<Trapezoidal::Pole>& pole) const {

@@ -51,6 +51,11 @@ Ball approximate_root(const std::vector<Ball>& c, double bits_per_term, Bits bit
 
 }  // namespace
 
+TaylorRest taylor_rest(const Ball& size, const Ball& t, const Ball& q, int degree) {
+  const Ball last = size * power(q, degree), left = 1 - q;
+  return {last * q / left, last * t * (degree + 1) / power(left, 2), 2 * size * t * t / power(left, 3)};
+}
+
 JacobiPolynomial::JacobiPolynomial(int count, const Ball& left, const Ball& right, Bits bits)
     : count_(count), bits_(bits), left_(left.at(bits)), right_(right.at(bits)), sum_(left_ + right_) {
   const Ball &l = left_, &r = right_, &s = sum_;
@@ -132,16 +137,15 @@ std::optional<JacobiPolynomial::Zero> JacobiPolynomial::zero_near(double start, 
 
   const Ball d = approximate_root(c, bits_per_term, bits_);
   ValueAndSlope there = horner(c, degree, d, bits_);
-  const int m = static_cast<int>(degree);
-  const Ball rest = size * power(q, m) / power(1 - q, 2);
-  there.value = Ball::plus_or_minus(there.value, rest * q);
-  there.slope = Ball::plus_or_minus(there.slope, rest * t * (m + 1));
+  const TaylorRest rest = taylor_rest(size, t, q, static_cast<int>(degree));
+  there.value = Ball::plus_or_minus(there.value, rest.value);
+  there.slope = Ball::plus_or_minus(there.slope, rest.slope);
 
   const Ball least_slope = abs(there.slope).at(root_bits).lower();
   if (!least_slope.is_positive()) return std::nullopt;
   const Ball r = max(2 * upper_size(there.value) / least_slope, two_to(-4 * bits_)).upper();
   if (!(upper_size(d) + r <= reach)) return std::nullopt;
-  const Ball slope = Ball::plus_or_minus(there.slope, r * 2 * size * t * t / power(1 - q, 3));
+  const Ball slope = Ball::plus_or_minus(there.slope, r * rest.curvature);
   const Ball step = there.value / slope;
   if (!(upper_size(step) < r)) return std::nullopt;
 

@@ -24,6 +24,14 @@
 
 namespace steadyslide::enclosure {
 
+/// Bounds for a power series sum_k c_k d^k with |c_k| <= C t^k, at |d| <= R with q = t R < 1.
+struct TaylorRest {
+  Ball value;      ///< of the terms beyond degree m
+  Ball slope;      ///< of their derivative
+  Ball curvature;  ///< of the second derivative of the whole series
+};
+TaylorRest taylor_rest(const Ball& size, const Ball& t, const Ball& q, int degree);
+
 class JacobiPolynomial {
  public:
   struct Zero {

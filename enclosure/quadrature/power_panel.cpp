@@ -124,6 +124,9 @@ int PowerPanel::count_for(Bits bits, const Ball& length, const std::vector<Outsi
   return enough;
 }
 
-Ball PowerPanel::half_height() const { return length_ / 4 * (rho_ - 1 / rho_); }
+Ball PowerPanel::remainder_of_principal_value(const Ball& bound_of_F) const {
+  // The ellipse's half-height is (L/2) (rho - 1/rho)/2.
+  return remainder(2 * bound_of_F / (length_ / 4 * (rho_ - 1 / rho_)));
+}
 
 }  // namespace steadyslide::enclosure

@@ -46,11 +46,12 @@ class PowerPanel {
   const Ball& rho() const { return rho_; }
   /// Returns the reach of the ellipse beyond each end.
   const Ball& reach() const { return reach_; }
-  /// Returns half the height of the ellipse: (L/2) (rho - 1/rho)/2.
-  Ball half_height() const;
 
   /// Returns a bound of |int - sum weight F(node)| for |F| <= bound_of_F in the ellipse.
   Ball remainder(const Ball& bound_of_F) const { return remainder_ * bound_of_F; }
+  /// The same for the principal value of F/(y - L/2): |F| <= bound_of_F, and the number of nodes is even. The bound of
+  /// the difference quotient is in enclosed_integral.hpp.
+  Ball remainder_of_principal_value(const Ball& bound_of_F) const;
   /// The same for a polynomial F of degree < 2 count without outside points, |F| <= bound_of_F on the panel.
   Ball remainder_of_polynomial(const Ball& bound_of_F) const { return polynomial_remainder_ * bound_of_F; }
 

@@ -107,7 +107,7 @@ TEST_CASE("a segment seen from afar by its moments: the sum over its nodes") {
       sizes.push_back(panels.back().largest(p, Ellipse::far));
     }
     const auto weights = SegmentMoments::of_weights(gap.set, segment, panels, 2);
-    const SegmentMoments moments(gap.set, segment, panels, weights, p, sizes);
+    const SegmentMoments moments(gap.set, segment, panels, weights, p, sizes, gap.bits);
     for (const Side facing : {Side::left, Side::right}) {
       CHECK_FALSE(moments.seen_from(Ball(0.1_r, panel_bits), facing));
       CHECK_FALSE(moments.seen_from(Ball::hull(Ball(3, panel_bits), Ball(4, panel_bits)), facing));

@@ -1,5 +1,5 @@
-// Series of functions whose truncation error dominates the bound, and of values that are wide; a part of a series
-// compared with the whole.
+// Series of polynomials and of an analytic function; a part of a series compared with the whole. Their bounds are in
+// quadrature/sharp_bounds_test.cpp.
 
 #include "enclosure/number/chebyshev_series.hpp"
 
@@ -17,20 +17,6 @@ ChebyshevSeries series_of(const ChebyshevNodes& nodes, const Function& f, const 
 }
 
 }  // namespace
-
-TEST_CASE("T_n at its own zeros: nothing but the error, a third of the bound") {
-  const Ball rho(5, bits);
-  for (const int n : {1, 2, 7, 16, 33}) {
-    const ChebyshevNodes nodes(n, bits);
-    const Ball largest = (power(rho, n) + power(rho, -n)) / 2;
-    const ChebyshevSeries series = series_of(
-        nodes, [n](const Ball& t) { return chebyshev_polynomial(n, t); }, largest, rho);
-    for (const Ball& value : {series.range(), series.at(Ball(1, bits))}) {
-      CHECK(value.contains(Ball(1, bits)));
-      CHECK(value.upper() < 3);
-    }
-  }
-}
 
 TEST_CASE("T_k of a lower degree: its range, and its values on a part to the last digits") {
   const ChebyshevNodes nodes(12, bits);
@@ -68,22 +54,5 @@ TEST_CASE("an analytic function lies within its error, which is no more than its
     const Ball width = series.at(Ball(0, bits)).radius();
     if (n > 8) CHECK(width < width_before / 200);
     width_before = width;
-  }
-}
-
-TEST_CASE("values known to within r: the interpolant of the worst ones lies in the range, near its end") {
-  for (const int n : {2, 5, 16, 64}) {
-    const ChebyshevNodes nodes(n, bits);
-    const Ball around_zero = Ball::around(Ball(0, bits), Ball(1, bits));
-    const ChebyshevSeries series = series_of(
-        nodes, [&](const Ball&) { return around_zero; }, Ball(0, bits), Ball(5, bits));
-    // Alternating signs, at t = 1: sum |l_i(1)| = (1/n) sum cot((2 i + 1) pi/(4 n)).
-    Ball largest(0, bits);
-    for (int i = 0; i < n; ++i) {
-      const Ball angle = Ball::pi(bits) * Ball(2 * i + 1) / Ball(4 * n);
-      largest += cos(angle) / sin(angle) / Ball(n);
-    }
-    CHECK(series.range().upper() > largest);
-    CHECK(series.range().upper() < largest * Ball(1.05_r, bits));
   }
 }
