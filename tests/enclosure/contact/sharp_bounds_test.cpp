@@ -237,34 +237,39 @@ double power_range(const Rational& a, int m, const Rational& upper, const Ration
   return ratio(power(d, m) * at_c.at(d), range.upper());
 }
 
-/// Rules of one node and rules of many, on a contact set whose powers are nearly 0: friction is very large. The slope is
-/// x^2 where a panel has its middle at 0, so that the rule's error is nearly the largest for its bound.
-ContactProblem of_square(const Rational& left, const Rational& corner, const Rational& right, bool on_left) {
+// Rules of one node and rules of many. Friction is very large, so that powers are nearly 0 or +-1. The integrand is x^2
+// on a panel with its middle at 0, so that the rule's error is nearly the largest for its bound.
+
+/// The slope x^2 on one side of the corner, 0 on the other.
+ContactProblem of_square(const Rational& left, const Rational& corner, const Rational& right, Side side) {
   const Polynomial cube({0, 0, 0, 1_r / 3}), flat;
-  return reduced({10000000, 10000000}, {corner},
-                 {left, {{corner, on_left ? cube : flat}, {right, on_left ? flat : cube}}}, 1, std::nullopt,
-                 Sliding::minus_x);
+  const bool on_left = side == Side::left;
+  const Indenter indenter(left, {{corner, on_left ? cube : flat}, {right, on_left ? flat : cube}});
+  return reduced({10000000, 10000000}, {corner}, indenter, 1, std::nullopt,
+                 on_left ? Sliding::minus_x : Sliding::plus_x);
 }
 
-/// B over the contact [-1/4, 3/4], seen from 100 away.
+/// B over the contact [-1/4, 3/4], seen from 50 away.
 double integrals_of_traction() {
-  Case c(of_square(-0.25_r, 100, 200, true), with_gap(), {log(Ball(99.25_r, bits)), log(Ball(99, bits))});
+  Case c(of_square(-0.25_r, 100, 200, Side::left), with_gap(), {log(Ball(99.25_r, bits)), log(Ball(99, bits))});
   const SurfacePoint at{2, Ball(50, bits), Ball(49, bits)};
   return reached(c.form(1).regular_factor(1, at).value(), c.form(many).regular_factor(1, at).value());
 }
 
 /// The condition on the load: the integral over the contact [-1/4, 3/4] without a pole.
 double integral_of_condition() {
-  Case c(of_square(-200, -100, 0.75_r, false), with_gap(), {log(Ball(99, bits)), log(Ball(99.75_r, bits))});
+  Case c(of_square(-200, -100, 0.75_r, Side::right), with_gap(), {log(Ball(99, bits)), log(Ball(99.75_r, bits))});
   return reached(ContactConditions(c.form(1)).conditions()[0], ContactConditions(c.form(many)).conditions()[0]);
 }
 
-/// The gap's change over [-1/2, 1/2], far from all points.
+/// The gap's change over [-1/2, 1/2], far from all points. Y is nearly (x - 150)/(x - 250), and the slope is the
+/// polynomial part of x^2 Y.
 double change_of_gap() {
   const ContactProblem problem =
-      reduced({10000000, 10000000}, {0}, one_piece(-200, 200, {0, 0, 0, 1_r / 3}), 1, std::nullopt, Sliding::minus_x);
+      reduced({10000000000000, 10000000000000}, {50}, one_piece(-150, 250, {0, 25000, 50, 1_r / 3}), 1, std::nullopt,
+              Sliding::minus_x);
   Case c(problem, with_gap(), {log(Ball(100, bits)), log(Ball(100, bits))});
-  const ContactPanel::Interval part{1, Ball(99.5_r, bits), Ball(-0.5_r, bits), Ball(1, bits), {}};
+  const ContactPanel::Interval part{1, Ball(49.5_r, bits), Ball(49.5_r, bits), Ball(1, bits), {}};
   return reached(c.form(1).gap_change(part, 0), c.form(many).gap_change(part, 0));
 }
 
