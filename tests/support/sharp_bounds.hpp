@@ -1,13 +1,13 @@
 #pragma once
-// Tests of error bounds where they are sharp. Each row is a case for which the true error, known by another route, is
-// as close to the bound as we could make it. docs/bounds.csv lists all bounds with this ratio. A ratio above 1 is a wrong
-// bound. A ratio below 1/10 needs a reason in the table.
+// Tests of error bounds where they are sharp. Each case has a true error, known by another route, that is as close to
+// the bound as we could make it. docs/bounds.csv lists all bounds with this ratio. A ratio above 1 is a wrong bound. A
+// ratio below 1/10 needs a reason in the table.
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <functional>
-#include <sstream>
 #include <string>
 #include <vector>
 

@@ -62,13 +62,14 @@ ContactTopology with_gap() {
            {2, {}, Kind::ends, false}}};
 }
 
-/// The panel of a segment that begins at its left point and is a power of two long, from `from_left` on.
+/// Returns the panel of 1/|Y| that begins at a distance from a segment's left point.
 ContactPanel panel_of(const ContactSet& set, std::size_t segment, const Ball& from_left, const Ball& length, int count,
-                      JacobiRules& rules, int n = -1) {
+                      JacobiRules& rules) {
   std::optional<Side> touches;
   if (from_left.is_zero()) touches = Side::left;
-  return {set,  {segment, from_left, set.length(segment) - from_left - length, length, touches}, n, std::nullopt, count,
-          rules};
+  return {set,   {segment, from_left, set.length(segment) - from_left - length, length, touches},
+          -1,    std::nullopt,
+          count, rules};
 }
 
 /// Returns T_2n at the panel's nodes, multiplied by their weights.
@@ -140,8 +141,8 @@ struct SeenPanel {
                        gap.rules)),
         distance(beyond ? 1_r / 16 : 1, bits) {}
 
-  /// Returns the largest number of terms that are cut, and its bound: 20 bits, and all other errors have 160.
-  double cut() const {
+  /// The terms that are cut: 20 bits, and all other errors have 160.
+  double cut() {
     std::vector<Ball> values(panel.nodes().size(), Ball(0, bits));
     (distance < Ball(1) ? values.front() : values.back()) = Ball(1, bits);
     const Ball y = (distance < Ball(1) ? panel.nodes().front() : panel.nodes().back()).from_left;
@@ -149,7 +150,7 @@ struct SeenPanel {
   }
 
   /// The rule's error for T_2n; the bits are many.
-  double rule(bool beyond) const {
+  double rule(bool beyond) {
     const std::vector<Ball> values = oscillation(panel, false);
     const SeenPanel fine(beyond, many);
     const int degree = 2 * static_cast<int>(panel.nodes().size());
@@ -162,14 +163,13 @@ struct SeenPanel {
   }
 
  private:
-  Ball seen(const std::vector<Ball>& values, const Ball& size, Bits accuracy) const {
+  Ball seen(const std::vector<Ball>& values, const Ball& size, Bits accuracy) {
     // A panel in front never counts as far.
     std::vector<ContactPanel> panels{panel};
     std::vector<std::vector<Ball>> all{values};
     std::vector<Ball> sizes{size};
     if (distance < Ball(1)) {
-      panels.insert(panels.begin(),
-                    panel_of(gap.set, 3, Ball(0, bits), Ball(1_r / 4, bits), 1, const_cast<JacobiRules&>(gap.rules)));
+      panels.insert(panels.begin(), panel_of(gap.set, 3, Ball(0, bits), Ball(1_r / 4, bits), 1, gap.rules));
       all.insert(all.begin(), std::vector<Ball>{Ball(0, bits)});
       sizes.insert(sizes.begin(), Ball(0, 64));
     }

@@ -66,14 +66,14 @@ double taylor(int derivative) {
   return ratio(tail, derivative == 0 ? rest.value : derivative == 1 ? rest.slope : rest.curvature);
 }
 
+/// T_2n, whose integral over [0, L] is L/(1 - 4n^2).
 double power_panel() {
   constexpr int n = 7;
-  const Ball half(-0.5_r, bits);
   JacobiRules rules(bits);
-  const PowerPanel panel(3, half, half, {}, n, rules);
+  const PowerPanel panel(300, Ball(0), Ball(0), {}, n, rules);
   const Ball sum =
-      sum_over(panel.nodes(), [](const auto& node) { return chebyshev_polynomial(2 * n, node.from_left * 2 / 3 - 1); });
-  return ratio(sum, panel.remainder(largest_chebyshev(2 * n, panel.rho())));
+      sum_over(panel.nodes(), [](const auto& node) { return chebyshev_polynomial(2 * n, node.from_left / 150 - 1); });
+  return ratio(Ball(300, bits) / (1 - 4 * n * n) - sum, panel.remainder(largest_chebyshev(2 * n, panel.rho())));
 }
 
 double power_panel_powers() {
