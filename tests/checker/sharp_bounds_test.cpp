@@ -163,15 +163,16 @@ double far_moments() {
   return reached(seen.fine.sums_to(1, 0, at).value, seen.fine.regular(0, at).value);
 }
 
+/// With these bits the rule's error dominates, not the nodes beyond its last one.
 double traction(bool slope) {
-  const Seen seen(notch, 0.5, 0.5);
-  const SurfacePoint at = seen.place(1, 0.001);
-  const auto few = seen.coarse(8).regular(1, at), all = seen.fine.regular(1, at);
+  const Seen seen(notch, 0.5, 0.9);
+  const SurfacePoint at = seen.place(2, 0.99);
+  const auto few = seen.coarse(11).regular(0, at), all = seen.fine.regular(0, at);
   return slope ? reached(few.slope, all.slope) : reached(few.value, all.value);
 }
 
 double moment() {
-  const Seen seen(R"(["0", "0", "0", "0", "1"])", 0.99999, 0.9999);
+  const Seen seen(notch, 0.5, 0.9);
   return reached(seen.coarse(12).moments(1)[0], seen.fine.moments(1)[0]);
 }
 
@@ -189,9 +190,9 @@ double gap_condition() {
   return reached(conditions(seen.coarse(16))[1], conditions(seen.fine)[1]);
 }
 
-double gap_derivative(std::size_t column) {
+double gap_derivative() {
   const Seen seen(notch, 0.1, 0.1);
-  return reached(jacobian(seen.coarse(12))[1][column], jacobian(seen.fine)[1][column]);
+  return reached(jacobian(seen.coarse(17))[1][1], jacobian(seen.fine)[1][1]);
 }
 
 TEST_CASE("bounds of the checker: a true error that nearly reaches each") {
@@ -206,7 +207,7 @@ TEST_CASE("bounds of the checker: a true error that nearly reaches each") {
                                       {"checker-moment", moment},
                                       {"checker-interpolant", interpolant},
                                       {"checker-gap-condition", gap_condition},
-                                      {"checker-gap-derivative", [] { return gap_derivative(1); }}});
+                                      {"checker-gap-derivative", gap_derivative}});
 }
 
 }  // namespace steadyslide::sharp_checker

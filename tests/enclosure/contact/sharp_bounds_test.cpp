@@ -220,13 +220,13 @@ double power_series() {
   return reached(at_c.analytic_part(Ball(d, 38)), at_c.analytic_part(Ball(d, bits)));
 }
 
-/// The series of 1 - sinc: the first term that is left out is just below 2^-bits. Power and bits were found by a scan.
+/// The series of 1 - sinc x: its second term, x^2/120, is just below 2^-bits.
 double sinc_series() {
-  const Rational a = 1_r / 8;
-  const auto part = [&](Bits accuracy) {
-    return PowerAtPoint(Ball(a, accuracy), false, Ball(1, accuracy)).analytic_part(Ball(0, accuracy));
+  const auto part = [](Bits accuracy) {
+    const Ball a(0.00000329_r, accuracy);
+    return PowerAtPoint(a, false, Ball(1, accuracy)).analytic_part(Ball(0, accuracy));
   };
-  return reached(part(57), part(bits));
+  return reached(part(40), part(bits));
 }
 
 /// d^m E(d) rises up to the end of the interval, or is largest within it.
@@ -306,21 +306,35 @@ ContactProblem over_jump(const std::vector<Rational>& right) {
   return reduced({0.1_r, 0.5_r}, {0}, {-1, {{0, Polynomial({0, 0.2_r})}, {1, Polynomial(right)}}}, 1);
 }
 
-/// B beside a point where the polynomial changes, and the load beside it.
-double beside_point(bool load) {
-  Case c(over_jump({0, 0, 0, 0, 0, 1}),
-         {{{0, {}, Kind::begins, false}, {1, {}, Kind::interior, false}, {2, {}, Kind::ends, false}}}, {});
-  const TractionRepresentation few = c.form(1), all = c.form(many);
-  if (load) return reached(ContactLoad(few).load_on(0), ContactLoad(all).load_on(0));
-  const SurfacePoint at = c.set.place(0, Side::left, Ball(0.9_r, bits));
-  const LocalValue wide = few.regular_factor(at);
-  REQUIRE(wide.has_singular);
-  return reached(wide.regular, all.regular_factor(at).regular);
+ContactTopology full() {
+  return {{{0, {}, Kind::begins, false}, {1, {}, Kind::interior, false}, {2, {}, Kind::ends, false}}};
 }
 
-/// The derivative of a gap's condition with respect to one of its ends.
+/// B beside a point where the polynomial changes.
+double traction_beside_point() {
+  Case c(over_jump({0, 1}), full(), {});
+  const SurfacePoint at = c.set.place(0, Side::right, Ball(0.1_r, bits));
+  const LocalValue wide = c.form(1).regular_factor(at);
+  REQUIRE(wide.has_singular);
+  return reached(wide.regular, c.form(many).regular_factor(at).regular);
+}
+
+/// int t T_4 dx over the panel beside the point, by two nodes.
+double load_beside_point() {
+  Case c(over_jump({0, 1}), full(), {});
+  const Ball length(0.1_r, bits);  // a fifth of the panel on the other side
+  const BallPolynomial weight = chebyshev_in_x(4, length / Ball(2), length / Ball(2));
+  const auto load = [&](int count) {
+    const TractionRepresentation form = c.form(count);
+    return ContactLoad(form).load_on(1, {Ball(0, bits), length}, weight);
+  };
+  return reached(load(2), load(many));
+}
+
+/// The derivative of a gap's condition with respect to one of its ends. The slope is the same on both sides, so that B
+/// has no error.
 double derivative_of_gap() {
-  Case c(over_jump({0, 1}), with_gap(), {Ball(-6, bits), Ball(-6, bits)});
+  Case c(over_jump({0, 0.2_r}), with_gap(), {Ball(-6, bits), Ball(-6, bits)});
   return reached(ContactConditions(c.form(1)).jacobian()[1][0], ContactConditions(c.form(many)).jacobian()[1][0]);
 }
 
@@ -345,8 +359,8 @@ TEST_CASE("bounds for a contact set: a true error that nearly reaches each") {
                                             {"gap-change", change_of_gap},
                                             {"load", load_on_part},
                                             {"traction-on-ellipse", traction_on_ellipse},
-                                            {"traction-beside-point", [] { return beside_point(false); }},
-                                            {"load-beside-point", [] { return beside_point(true); }},
+                                            {"traction-beside-point", traction_beside_point},
+                                            {"load-beside-point", load_beside_point},
                                             {"gap-derivative", derivative_of_gap},
                                             {"power-range-inside", [] { return power_range(-0.9_r, 1, 1, 0.5_r); }}});
 }
