@@ -53,8 +53,8 @@ void Study::add(const std::string& law, std::uint64_t seed, Method method, const
       ++tally.failed;
       std::cout << seed << ", " << name_of(method) << ": " << law << ": " << name << ' ' << value << std::endl;
     }
-    if (!(-value >= tally.margin)) {
-      tally.margin = -value;
+    if (!(0 - value >= tally.margin)) {
+      tally.margin = 0 - value;
       tally.seed = seed;
     }
   }

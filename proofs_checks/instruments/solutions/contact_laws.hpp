@@ -45,8 +45,8 @@ Shortfalls compared_by(Method method, const ContactProblem& one, const ContactPr
   return first && second ? law(*first, *second) : Shortfalls();
 }
 
-/// Returns the number of contact components. A gap counts if it is wider than the errors of its ends: beside the edge of
-/// a flat punch under strong friction the first cells have a gap on every mesh, which the solution does not have.
+/// Returns the number of contact components. A gap counts if it is wider than the errors of its ends: on cells there is
+/// a gap of one cell next to the edge of a flat punch under strong friction, which the solution does not have.
 int components_of(const SolvedContact& contact);
 /// Returns the largest possible number of contact components under any friction, load and attitude: the sum over the
 /// profile's pieces of 1 + the largest number of gaps on it. With d the degree of the slope, its tilt included, this
