@@ -83,9 +83,9 @@ TEST_CASE("a jump of height zero says nothing of its loads") {
 // moves, too, so that it may fall.
 TEST_CASE("shares and friction of other data within the tolerance lie in the band") {
   double largest = 0;
-  for (const Rational rise : {0.2_r, 1_r, 4_r}) {
-    for (const Rational e : {0.001_r, 0.02_r, 0.2_r}) {
-      for (const Rational d : {0_r, 0.1_r}) {
+  for (const Rational& rise : {0.2_r, 1_r, 4_r}) {
+    for (const Rational& e : {0.001_r, 0.02_r, 0.2_r}) {
+      for (const Rational& d : {0_r, 0.1_r}) {
         const ContactProblem problem = testing::reduced({0.1_r, 0.1_r + rise}, {0}, punch(0, 0, 0.3_r), 1);
         const Shares own = solved(problem);
         const ToleranceBand band(problem, e, d);
