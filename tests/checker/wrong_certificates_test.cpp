@@ -198,3 +198,20 @@ TEST_CASE("an energy below the true one by less than the far nodes' Taylor polyn
   c["energy"] = claimed(-1e-10);
   refused_for(c, "energy");
 }
+
+TEST_CASE("an energy below the true one, where the gap is lowest beside a node and not at the ends of an interval") {
+  // Cell [4, 5] has all pressure. With x = y - 5 the gap from there to 6 is 0.418 x + (x log x - (1+x) log(1+x))/pi: 0
+  // at 0, -0.0949 at 1/2, and -0.099723 at 0.36792, where x log x is nearly -1/e. The mean under the pressure is
+  // 1/(2 pi).
+  json c = json::parse(R"({"certificate": 1, "kind": "cells", "generator": "test 0.0.0",
+    "problem": {"load": "1", "load_at": null, "sliding": "+x", "gamma": "0", "compliance": "1",
+      "friction": {"values": ["0"], "jumps": []},
+      "indenter": {"left": "0", "pieces": [{"to": "3", "profile": ["10"]}, {"to": "4", "profile": ["40", "-10"]},
+        {"to": "5", "profile": []}, {"to": "6", "profile": ["-2.09", "0.418"]},
+        {"to": "16", "profile": ["-59.582", "10"]}]}},
+    "pressures": [0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0], "energy": "0.25888", "reaches": [],
+    "claims": {"load_share": [["0", "1"]], "effective_friction": ["0", "0"]}})");
+  CHECK(refusal(c).empty());
+  c["energy"] = "0.2562";
+  refused_for(c, "energy");
+}
