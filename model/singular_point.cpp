@@ -1,7 +1,6 @@
 #include "model/singular_point.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <set>
 
 namespace steadyslide {
