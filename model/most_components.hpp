@@ -7,7 +7,7 @@
 // (1/pi) int dp/((x'-y_i)(x'-y_j)). So the profile's part is negative definite. It is V^T H V with H_ab the coefficient
 // of x^(a+b+1) in pi, a, b < d. The number of gaps is at most the number of negative squares of H:
 //
-//   d/2 (d even), (d-1)/2 (d odd, l > 0), (d+1)/2 (d odd, l < 0), 0 (pi constant).   docs/theory.md, "Uniqueness"
+//   d/2 (d even), (d-1)/2 (d odd, l > 0), (d+1)/2 (d odd, l < 0), 0 (pi constant).   docs/theory.md, "Gaps"
 
 #include "model/contact_problem.hpp"
 

@@ -41,7 +41,7 @@ std::string paper_html(const VerifyResult& result) {
     std::string mark = verdict ? badge(*verdict) : "not examined as a whole";
     if (verdict == checks::Verdict::proved && statement.reconstructed) mark += " as reconstructed";
     if (verdict == checks::Verdict::proved && !statement.restriction.empty())
-      mark += " but for " + prose(statement.restriction);
+      mark += ", restricted: " + prose(statement.restriction);
     if (statement.place.empty()) {
       beyond.push_back({prose(statement.what), mark, entries});
     } else {

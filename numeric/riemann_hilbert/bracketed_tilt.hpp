@@ -1,6 +1,6 @@
 #pragma once
 // The tilt as the root of one equation in one unknown. Under a given load the centre of pressure moves strictly towards
-// -x as the tilt grows (docs/theory.md, "Uniqueness"). So it lies at load_at for one tilt, and two tilts with the
+// -x as the tilt grows (docs/theory.md, "Attitude"). So it lies at load_at for one tilt, and two tilts with the
 // centre on either side bracket it.
 
 #include <functional>

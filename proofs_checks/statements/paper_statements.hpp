@@ -21,7 +21,7 @@ struct PaperStatement {
   std::string_view scope;
   std::vector<std::string_view> claims;     ///< claims that express the statement
   std::vector<std::string_view> instances;  ///< claims that examine instances of it
-  /// The part of the printed statement that the claims do not say; empty if they say all of it.
+  /// In words, how the proved statement is narrower than the printed one; empty if it is not.
   std::string_view restriction;
   bool reconstructed = false;  ///< the printed words were not seen
 };

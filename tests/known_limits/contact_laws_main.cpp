@@ -9,6 +9,7 @@
 #include <iostream>
 #include <map>
 
+#include "model/most_components.hpp"
 #include "proofs_checks/instruments/solutions/contact_laws.hpp"
 #include "proofs_checks/instruments/solutions/falling_contacts.hpp"
 #include "support/random_contact.hpp"
@@ -95,7 +96,7 @@ void Study::examine(std::uint64_t seed, Method method) {
     compare(law, s_grows ? more : less, s_grows ? less : more, friction_law);
   };
 
-  add("components", seed, method, {{"above bound", components_of(*contact) - most_components(base.indenter())}});
+  add("components", seed, method, {{"above bound", components_of(*contact) - static_cast<int>(most_components(base))}});
   const auto pressed = solved_contact(base.with_load(base.load() * growth), method);
   compare("load", pressed, contact, load_law);
   const auto turned = solved_contact(with_profile_plus(base, Polynomial({0, slope})), method);

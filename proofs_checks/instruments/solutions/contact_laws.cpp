@@ -114,16 +114,6 @@ Shortfalls friction_law(const SolvedContact& larger, const SolvedContact& smalle
   return all;
 }
 
-int most_components(const Indenter& indenter) {
-  int sum = 0;
-  for (const Indenter::Piece& piece : indenter.pieces()) {
-    const int degree = std::max(piece.profile.degree() - 1, 0);
-    const bool one_more = degree % 2 == 1 && piece.profile.coefficients().back() < 0;
-    sum += 1 + degree / 2 + (one_more ? 1 : 0);
-  }
-  return sum;
-}
-
 int components_of(const SolvedContact& contact) {
   const auto zones = contact.solution->contact();
   int components = 1;

@@ -20,7 +20,7 @@ using Shortfalls = std::vector<std::pair<std::string, double>>;
 /// Returns the same for a claim.
 Values values_of(const Shortfalls& shortfalls);
 
-// Each law takes two contacts with equal data but for those in its name.
+// Each law compares two contacts. Their data are equal, apart from the data that the law is about.
 
 /// Under the larger load no pressure is smaller ("fall"), no contact is lost ("lost"), no gap is wider ("gap"), and
 /// int |q| is the difference of the loads ("distance").
@@ -48,10 +48,6 @@ Shortfalls compared_by(Method method, const ContactProblem& one, const ContactPr
 /// Returns the number of contact components. A gap counts if it is wider than the errors of its ends: on cells there is
 /// a gap of one cell next to the edge of a flat punch under strong friction, which the solution does not have.
 int components_of(const SolvedContact& contact);
-/// Returns the largest possible number of contact components under any friction, load and attitude: the sum over the
-/// profile's pieces of 1 + the largest number of gaps on it. With d the degree of the slope, its tilt included, this
-/// number is d/2 for even d; for odd d, (d-1)/2 if the leading coefficient is positive, otherwise (d+1)/2.
-int most_components(const Indenter& indenter);
 
 /// Returns the tilt under which the centre of pressure is load_at, from solutions with a given attitude, by bracketing.
 /// Returns nothing if one of them is not found.
