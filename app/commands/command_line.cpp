@@ -59,6 +59,8 @@ Failure unexpected(const CLI::App& app, const Program& program) {
   const std::string argument = app.remaining(true).front();
   const bool option = argument.starts_with('-');
   const std::vector<CLI::App*> commands = app.get_subcommands();
+  if (commands.empty() && std::ranges::find(program.absent, argument) != program.absent.end())
+    return bad_command_line("not in this build", "run ./verify", argument);
   if (program.commands.size() > 1 && commands.empty() && !option)
     return bad_command_line("unknown command", commands_rule(program), argument);
   const std::string help = commands.empty() ? "--help" : commands.front()->get_name() + " --help";

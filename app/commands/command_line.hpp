@@ -104,7 +104,7 @@ struct Command {
   std::string manual{};  ///< what the manual page says below the help
 };
 
-// Each is defined beside its command: solve_command.cpp, verify/verify_command.cpp.
+// Each is defined beside its command: solve_command.cpp, report/ledger_commands.cpp.
 Command exponents_command();
 Command table_command();
 Command solve_command();
@@ -118,6 +118,7 @@ struct Program {
   std::string name;
   std::string description;
   std::vector<Command> commands;
+  std::vector<std::string> absent{};  ///< the commands of the ledger in a build without it
 };
 
 /// Runs the command that the command line names, or the only one of the program; prints --help or --version. A failure

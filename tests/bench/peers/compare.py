@@ -64,7 +64,7 @@ def libraries(build):
 
 def compare(build, quick):
     """Returns the rows of the table."""
-    program = os.path.join(build, "bin", "steadyslide-solver")
+    program = os.path.join(build, "bin", "steadyslide")
     truths, by_formula, by_cells = {}, {}, {}
     for problem in ("parabola.toml", "punch.toml"):
         truths[problem] = share(program, problem, "--certify", "--digits", "60")[0]
