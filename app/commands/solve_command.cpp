@@ -57,9 +57,18 @@ Failure unsolved(const Problem& problem, const SolutionText& solution) {
           fmt::format("{}: {}{}; what was reached is printed", problem.file, what, solution.failed_condition)};
 }
 
+/// Returns the file of the picture and requests its samples, if there is to be a picture. Fails if gnuplot is missing.
+std::optional<Output> started_plot(const SolveOptions& options, SolutionWanted& wanted) {
+  if (!options.plot) return std::nullopt;
+  run_gnuplot("");
+  wanted.curve = true;
+  return std::optional<Output>(std::in_place, *options.plot);
+}
+
 ExitCode solve_both_directions(const SolveOptions& options, const Problem& problem) {
-  const SolutionWanted wanted = solution_wanted(options);
+  SolutionWanted wanted = solution_wanted(options);
   Output output(options.common.output);
+  std::optional<Output> plot = started_plot(options, wanted);
   const Problem turned{problem.contact.with_sliding(opposite(problem.contact.sliding())), problem.file,
                        problem.measured};
   BothText both{solve_shown(options, problem, wanted), solve_shown(options, turned, wanted), {}};
@@ -69,7 +78,9 @@ ExitCode solve_both_directions(const SolveOptions& options, const Problem& probl
       both.warnings.push_back(fmt::format("sliding towards {}: {}", name_of(way->contact.sliding()), what));
     }
   }
+  if (plot) plot->write(rendered_picture(solution_figure(problem, turned, both), picture_of(*options.plot)));
   write(options, problem, both, output);
+  if (plot) plot->commit();
   for (const SolutionText* solution : {&both.as_given, &both.opposite}) {
     if (!solution->is_solved()) throw unsolved(problem, *solution);
   }
@@ -81,12 +92,7 @@ ExitCode solve_once(const SolveOptions& options, const Problem& problem) {
   Output output(options.common.output);
   std::optional<Output> certificate;
   if (options.certificate) certificate.emplace(*options.certificate);
-  std::optional<Output> plot;
-  if (options.plot) {
-    run_gnuplot("");  // fails early if gnuplot is missing
-    plot.emplace(*options.plot);
-    wanted.curve = true;
-  }
+  std::optional<Output> plot = started_plot(options, wanted);
   SolutionText solution = solve_shown(options, problem, std::move(wanted));
   if (!solution.reason.empty()) throw inapplicable(problem, options.method, solution.reason);
   if (options.tolerance && solution.is_solved()) {

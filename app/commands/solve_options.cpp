@@ -69,9 +69,6 @@ void refuse_conflicts(const Given& given, const SolveOptions& options) {
       conflict("--tolerance-friction", csv && given.has("--tolerance-friction"), {"--format"}, one_table),
       conflict("--both-directions", both, {"--load-steps"}, "it is for one solution of each direction"),
       conflict("--both-directions", both, {"--certificate"}, "a certificate is of one direction"),
-      conflict("--both-directions", both, {"--plot"}, "a picture shows one solution"),
-      conflict("--both-directions", both, {"--stress-at", "--loads-on", "--max-stress"},
-               "stresses and forces are those of one direction"),
   });
 }
 

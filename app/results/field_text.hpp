@@ -51,6 +51,8 @@ struct FieldText {
   std::vector<NodalForceText> nodal_forces;
   std::optional<LargestStressText> largest_stress;
   bool in_range = true;  ///< false: some value is NaN or infinite
+
+  bool any() const { return !stresses.empty() || !nodal_forces.empty() || largest_stress; }
 };
 
 /// Throws InvalidFile if contact lies outside the mesh.

@@ -40,8 +40,8 @@ Json json_of(const Cell& cell) {
 /// Aligned text. It keeps all rows until the widths are known.
 class TextRows final : public RowWriter {
  public:
-  TextRows(std::vector<Column> columns, Output& output)
-      : RowWriter(std::move(columns), output), widths_(columns_.size()) {
+  TextRows(std::vector<Column> columns, Output& output, std::size_t indent = 0)
+      : RowWriter(std::move(columns), output), indent_(indent, ' '), widths_(columns_.size()) {
     for (const Column& column : columns_) add(column.name);
   }
 
@@ -58,6 +58,7 @@ class TextRows final : public RowWriter {
       const std::size_t column = k % widths_.size();
       const bool last = column + 1 == widths_.size();
       const std::size_t length = ends_[k] - start;
+      if (column == 0) output_.write(indent_);
       output_.write(std::string_view(text_).substr(start, length));
       output_.write(last ? "\n" : std::string(widths_[column] - length + 2, ' '));
       start = ends_[k];
@@ -72,6 +73,7 @@ class TextRows final : public RowWriter {
     ends_.push_back(text_.size());
   }
 
+  std::string indent_;
   std::vector<std::size_t> widths_;
   std::string text_;               // all cells, one after the other
   std::vector<std::size_t> ends_;  // the end of each cell in text_
@@ -222,6 +224,9 @@ std::string_view format_name(Format format) {
 
 Rows::Rows(Format format, std::vector<Column> columns, Output& output)
     : writer_(writers.at(static_cast<std::size_t>(format))(std::move(columns), output)) {}
+
+Rows::Rows(std::vector<Column> columns, Output& output)
+    : writer_(std::make_unique<TextRows>(std::move(columns), output, 2)) {}
 
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;

@@ -53,6 +53,8 @@ class RowWriter {
 class Rows {
  public:
   Rows(Format format, std::vector<Column> columns, Output& output);
+  /// A text with two spaces before each row.
+  Rows(std::vector<Column> columns, Output& output);
 
   /// In a text an empty cell is "-", so that columns stay visible.
   void row(const std::vector<Cell>& cells) { writer_->row(cells); }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <ranges>
 
 #include "app/embedded.hpp"
 #include "app/terminal/failure.hpp"
@@ -43,6 +44,10 @@ double value_of(const Rational& value) { return value.convert_to<double>(); }
 
 std::string with_minus(const std::string& text) { return text.starts_with('-') ? "−" + text.substr(1) : text; }
 
+std::string towards(const Problem& problem) {
+  return problem.contact.sliding() == Sliding::plus_x ? "towards +x" : "towards −x";
+}
+
 std::string shown_name(const Problem& problem) {
   if (problem.file == "-") return "standard input";
   return one_line(std::filesystem::path(problem.file).filename().string());
@@ -50,11 +55,17 @@ std::string shown_name(const Problem& problem) {
 
 class SolutionFigure {
  public:
-  SolutionFigure(const Problem& problem, const SolutionText& solution) : problem_(problem), solution_(solution) {
+  /// The range of x has the contact of `also`, too.
+  SolutionFigure(const Problem& problem, const SolutionText& solution, const SolutionText& also)
+      : problem_(problem), solution_(solution) {
     for (const auto& [left, right] : solution.contact) {
-      contact_.include(value_of(left.x.value));
-      contact_.include(value_of(right.x.value));
       contact_length_ += value_of(right.x.value) - value_of(left.x.value);
+    }
+    for (const SolutionText* one : {&solution, &also}) {
+      for (const auto& [left, right] : one->contact) {
+        contact_.include(value_of(left.x.value));
+        contact_.include(value_of(right.x.value));
+      }
     }
     if (problem.measured && !problem.measured->x_unit.empty()) {
       length_unit_ = problem.measured->x_unit == "um" ? "µm" : problem.measured->x_unit;
@@ -78,9 +89,9 @@ class SolutionFigure {
  private:
   std::string title() const {
     const ContactProblem& contact = problem_.contact;
-    return fmt::format("{}{}, load {:.6g}, sliding towards {}",
+    return fmt::format("{}{}, load {:.6g}, sliding {}",
                        solution_.failed_condition.empty() ? "" : "NOT SOLVED: ", shown_name(problem_),
-                       value_of(contact.load()), contact.sliding() == Sliding::plus_x ? "+x" : "−x");
+                       value_of(contact.load()), towards(problem_));
   }
 
   std::string caption() const {
@@ -235,7 +246,37 @@ class SolutionFigure {
 }  // namespace
 
 Figure solution_figure(const Problem& problem, const SolutionText& solution) {
-  return SolutionFigure(problem, solution).figure();
+  return SolutionFigure(problem, solution, solution).figure();
+}
+
+Figure solution_figure(const Problem& problem, const Problem& turned, const BothText& both) {
+  Figure figure = SolutionFigure(problem, both.as_given, both.opposite).figure();
+  Figure other = SolutionFigure(turned, both.opposite, both.as_given).figure();
+  const std::string way = towards(problem), other_way = towards(turned);
+  figure.title += fmt::format(" and {}", other_way);
+  figure.origin += ", --both-directions";
+
+  Panel& shapes = figure.panels.front();
+  const double lower = 0.035 * (shapes.y.to - shapes.y.from);
+  Series zones = std::move(other.panels.front().series.back());
+  for (std::size_t k = 0; k < zones.points.size(); ++k) zones.points[k].y = shapes.series.back().points[0].y - lower;
+  zones.style = 4;
+  zones.legend += ", " + other_way;
+  for (Series& series : shapes.series | std::views::drop(1)) series.legend += ", " + way;
+  shapes.series.push_back(std::move(zones));
+  for (Series& series : figure.panels.back().series) series.legend += ", " + way;
+  for (Series& series : other.panels.back().series) series.legend += ", " + other_way;
+
+  constexpr double more = 0.55;  // the height of the other tractions with their exponents, as a part of the figure's
+  const auto place = [](Frame& frame, double up) {
+    frame.bottom = (frame.bottom + up) / (1 + more);
+    frame.top = (frame.top + up) / (1 + more);
+  };
+  for (Panel& panel : figure.panels) place(panel.frame, more);
+  place(other.panels.back().frame, 0);
+  figure.panels.push_back(std::move(other.panels.back()));
+  figure.height = static_cast<int>(figure.height * (1 + more));
+  return figure;
 }
 
 }  // namespace steadyslide::app

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <array>
+
 #include "app/results/solve_writers.hpp"
 
 namespace steadyslide::app {
@@ -44,48 +47,76 @@ void write_samples(const SolutionText& solution, const std::vector<Cell>& first,
   }
 }
 
-}  // namespace
-
-void write_stresses(Format format, const FieldText& field, Output& output) {
-  const bool indented = format == Format::text;
-  Rows rows(format,
-            {indented ? "  x" : "x", "z", number("sxx"), number("szz"), number("sxz"), number("syy"),
-             number("von_mises"), number("largest_shear")},
-            output);
-  for (const StressText& at : field.stresses) {
-    rows.row({(indented ? "  " : "") + at.x, at.z, at.xx, at.zz, at.xz, at.yy, at.von_mises, at.largest_shear});
+void write_stresses(const SolutionText& solution, const std::vector<Cell>& first, Rows& rows) {
+  for (const StressText& at : solution.field.stresses) {
+    rows.row(joined<Cell>(first, {at.x, at.z, at.xx, at.zz, at.xz, at.yy, at.von_mises, at.largest_shear}, {}));
   }
-  rows.end();
 }
 
-void write_nodal_forces(Format format, const FieldText& field, Output& output) {
-  const bool indented = format == Format::text;
-  Rows rows(format, {indented ? "  x" : "x", number("normal"), number("tangential")}, output);
-  for (const auto& [x, normal, tangential] : field.nodal_forces) {
-    rows.row({(indented ? "  " : "") + x, normal, tangential});
+void write_nodal_forces(const SolutionText& solution, const std::vector<Cell>& first, Rows& rows) {
+  for (const auto& [x, normal, tangential] : solution.field.nodal_forces) {
+    rows.row(joined<Cell>(first, {x, normal, tangential}, {}));
   }
-  rows.end();
+}
+
+void write_largest_stress(const SolutionText& solution, const std::vector<Cell>& first, Rows& rows) {
+  const LargestStressText& largest = *solution.field.largest_stress;
+  rows.row(joined<Cell>(first, {largest.depth, largest.von_mises, largest.x, largest.z}, {}));
+}
+
+/// A table of a solution. Each row begins with the cells `first`.
+struct Table {
+  std::string heading;  ///< in text; empty if the text is not a table
+  bool (*applies)(const FieldText& field);
+  std::vector<Column> columns;
+  void (*write)(const SolutionText& solution, const std::vector<Cell>& first, Rows& rows);
+};
+
+const std::array<Table, 4> tables{{{"stresses below the surface (tension positive; z into the body; force per area)",
+                                    [](const FieldText& field) { return !field.stresses.empty(); },
+                                    {"x", "z", number("sxx"), number("szz"), number("sxz"), number("syy"),
+                                     number("von_mises"), number("largest_shear")},
+                                    write_stresses},
+                                   {"nodal forces on the body (normal into the body, tangential along +x)",
+                                    [](const FieldText& field) { return !field.nodal_forces.empty(); },
+                                    {"x", number("normal"), number("tangential")},
+                                    write_nodal_forces},
+                                   {"",
+                                    [](const FieldText& field) { return field.largest_stress.has_value(); },
+                                    {"depth", number("von_mises"), number("x"), number("z")},
+                                    write_largest_stress},
+                                   {"", [](const FieldText&) { return true; }, sample_columns, write_samples}}};
+
+/// Returns the table of a CSV file: the first that was requested.
+const Table& requested_table(const SolutionText& solution) {
+  return *std::ranges::find_if(tables, [&](const Table& table) { return table.applies(solution.field); });
+}
+
+}  // namespace
+
+void write_field_tables(const SolutionText& solution, Output& output) {
+  for (const Table& table : tables) {
+    if (table.heading.empty() || !table.applies(solution.field)) continue;
+    output.write("\n" + table.heading + "\n");
+    Rows rows(table.columns, output);
+    table.write(solution, {}, rows);
+    rows.end();
+  }
 }
 
 void write_csv(const Problem&, const SolutionText& solution, Output& output) {
-  const FieldText& field = solution.field;
-  if (!field.stresses.empty()) return write_stresses(Format::csv, field, output);
-  if (!field.nodal_forces.empty()) return write_nodal_forces(Format::csv, field, output);
-  if (const auto& largest = field.largest_stress) {
-    Rows rows(Format::csv, {"depth", number("von_mises"), number("x"), number("z")}, output);
-    rows.row({largest->depth, largest->von_mises, largest->x, largest->z});
-    return rows.end();
-  }
-  Rows rows(Format::csv, sample_columns, output);
-  write_samples(solution, {}, rows);
+  const Table& table = requested_table(solution);
+  Rows rows(Format::csv, table.columns, output);
+  table.write(solution, {}, rows);
   rows.end();
 }
 
 void write_csv(const Problem& problem, const BothText& both, Output& output) {
-  Rows rows(Format::csv, joined<Column>({"sliding"}, sample_columns, {}), output);
+  const Table& table = requested_table(both.as_given);
+  Rows rows(Format::csv, joined<Column>({"sliding"}, table.columns, {}), output);
   const Sliding sliding = problem.contact.sliding();
-  write_samples(both.as_given, {name_of(sliding)}, rows);
-  write_samples(both.opposite, {name_of(opposite(sliding))}, rows);
+  table.write(both.as_given, {name_of(sliding)}, rows);
+  table.write(both.opposite, {name_of(opposite(sliding))}, rows);
   rows.end();
 }
 

@@ -52,7 +52,7 @@ void write_singular_points(const SolutionText& solution, Output& output) {
     text[from] = '\n';
   }
   output.write("\n" + text);
-  Rows rows(Format::text, {"  x", "kind", "exponent", "intensity", "constant", "K", "exact"}, output);
+  Rows rows({"x", "kind", "exponent", "intensity", "constant", "K", "exact"}, output);
   std::map<std::string, int> unknown;
   bool any_known = false;
   for (const SingularText& point : solution.singular_points) {
@@ -61,7 +61,7 @@ void write_singular_points(const SolutionText& solution, Output& output) {
       continue;
     }
     any_known = true;
-    rows.row({"  " + shown(point.x), point.kind, point.exponent.value, point.intensity, point.constant,
+    rows.row({shown(point.x), point.kind, point.exponent.value, point.intensity, point.constant,
               shown(point.stress_intensity), point.exponent.symbolic});
   }
   if (unknown.empty() || any_known) rows.end();
@@ -140,24 +140,17 @@ void write_resultants(const Problem& problem, const SolutionText& solution, Outp
 void write_samples(const SolutionText& solution, Output& output) {
   if (solution.samples.empty()) return;
   output.write("\nsamples (left | right where the limits differ; traction and shear: force per area)\n");
-  Rows rows(Format::text, {"  x", "traction", "shear", "gap", "slope", "u", "u_t'", "load up to x"}, output);
+  Rows rows({"x", "traction", "shear", "gap", "slope", "u", "u_t'", "load up to x"}, output);
   for (const SampleText& at : solution.samples) {
-    rows.row({"  " + at.x, shown(at.traction), shown(at.shear), at.gap, shown(at.slope), at.displacement,
+    rows.row({at.x, shown(at.traction), shown(at.shear), at.gap, shown(at.slope), at.displacement,
               shown(at.shear_slope), at.cumulative_load});
   }
   rows.end();
 }
 
-void write_field(const FieldText& field, Output& output) {
-  if (!field.stresses.empty()) {
-    output.write("\nstresses below the surface (tension positive; z into the body; force per area)\n");
-    write_stresses(Format::text, field, output);
-  }
-  if (!field.nodal_forces.empty()) {
-    output.write("\nnodal forces on the body (normal into the body, tangential along +x)\n");
-    write_nodal_forces(Format::text, field, output);
-  }
-  if (const auto& largest = field.largest_stress) {
+void write_field(const SolutionText& solution, Output& output) {
+  write_field_tables(solution, output);
+  if (const auto& largest = solution.field.largest_stress) {
     output.write("\nlargest von Mises stress\n");
     for (const NumberText& x : largest->unbounded_at) write_line(output, "inf", "next to x = " + shown(x));
     write_line(output, shown(largest->von_mises),
@@ -220,7 +213,7 @@ void write_text(const Problem& problem, const SolutionText& solution, Output& ou
   write_singular_points(solution, output);
   write_resultants(problem, solution, output);
   write_samples(solution, output);
-  write_field(solution.field, output);
+  write_field(solution, output);
   const bool proved = solution.proof && solution.proof->proved;
   write_sizes(proved ? "relative errors, proved" : "estimated relative errors", solution.errors, output);
   write_sizes("relative residuals, by an unrelated rule", solution.residuals, output);
@@ -234,9 +227,9 @@ void write_text(const Problem& problem, const BothText& both, Output& output) {
   write_text(problem, both.as_given, output);
   const Sliding sliding = problem.contact.sliding();
   output.write("\nboth directions\n");
-  Rows rows(Format::text, {"  sliding towards", name_of(sliding), name_of(opposite(sliding))}, output);
+  Rows rows({"sliding towards", name_of(sliding), name_of(opposite(sliding))}, output);
   const auto row = [&](const std::string& name, const auto& told) {
-    rows.row({"  " + name, told(both.as_given), told(both.opposite)});
+    rows.row({name, told(both.as_given), told(both.opposite)});
   };
   const auto ends = [](const SolutionText& solution) {
     if (solution.contact.empty()) return std::string();
@@ -248,12 +241,15 @@ void write_text(const Problem& problem, const BothText& both, Output& output) {
     const auto other =
         std::ranges::find_if(others, [&](const Line& one) { return one.name == line.name && one.which == line.which; });
     const std::string gap = line.which.empty() ? "" : " ";
-    rows.row({"  " + line.name + gap + line.which, line.value, other == others.end() ? "" : other->value});
+    rows.row({line.name + gap + line.which, line.value, other == others.end() ? "" : other->value});
   }
   row("solved", [](const SolutionText& solution) {
     return solution.is_solved() ? std::string("yes") : solution.reason + solution.failed_condition;
   });
   rows.end();
+  if (!both.opposite.field.any()) return;
+  output.write(fmt::format("\nsliding towards {}\n", name_of(opposite(sliding))));
+  write_field(both.opposite, output);
 }
 
 }  // namespace steadyslide::app

@@ -24,18 +24,18 @@ struct BothText {
 
 /// Writes a summary for readers, and the samples if there are any.
 void write_text(const Problem& problem, const SolutionText& solution, Output& output);
-/// The first summary, and the main results of both directions side by side.
+/// The first summary, the main results of both directions side by side, and stresses and forces of the other one.
 void write_text(const Problem& problem, const BothText& both, Output& output);
 /// Writes the whole result, with the problem as it was read.
 void write_json(const Problem& problem, const SolutionText& solution, Output& output);
 void write_json(const Problem& problem, const BothText& both, Output& output);
-/// One row for each point, or for each node. The gradient of the displacement is left out.
-void write_stresses(Format format, const FieldText& field, Output& output);
-void write_nodal_forces(Format format, const FieldText& field, Output& output);
+/// Writes the stresses, one row for each point, and the nodal forces, one row for each node. The gradient of the
+/// displacement is left out.
+void write_field_tables(const SolutionText& solution, Output& output);
 /// Writes stresses, nodal forces or the largest stress, if one of them was requested (docs/finite-elements.md); otherwise the
 /// samples (docs/results.md). A sample has two rows if a left and a right limit differ.
 void write_csv(const Problem& problem, const SolutionText& solution, Output& output);
-/// Writes the samples of both directions; the first column is the direction of sliding.
+/// Writes the same of both directions; the first column is the direction of sliding.
 void write_csv(const Problem& problem, const BothText& both, Output& output);
 
 /// Writes one row for each load and contact component; without a contact, one row for the load. If a proof is

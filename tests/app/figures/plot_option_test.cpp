@@ -47,11 +47,15 @@ struct Scale {
   }
 };
 
-/// One of the two panels: 'a' is the upper one, 'b' the lower one.
+/// One of the panels: 'a' is the upper one, 'b' the lower one; with both directions 'c' is below 'b'.
 class PlottedPanel {
  public:
   PlottedPanel(const std::string& svg, char panel) : svg_(svg), panel_(panel) {
-    const std::size_t begin = panel == 'a' ? 0 : svg.find("id=\"solve_plot_3a\"");
+    std::size_t begin = 0;  // the last curve of the panel before
+    const auto curve_before = [&](int k) {
+      return svg.find("id=\"solve_plot_" + std::to_string(k) + static_cast<char>(panel - 1));
+    };
+    for (int k = 1; curve_before(k) != std::string::npos; ++k) begin = curve_before(k);
     const std::string axes = svg.substr(begin, svg.find(std::string("id=\"solve_plot_1") + panel) - begin);
     Points across, up;
     for (std::size_t at = 0; (at = axes.find("<path stroke='black'  d='", at)) != std::string::npos; ++at) {
@@ -195,6 +199,21 @@ TEST_CASE("the curves are the samples of the result, for every method") {
     for (auto& [x, y] : wanted.pressure) y *= 1.002;
     CHECK(met(wanted.pressure, below.curve(1), below) < wanted.pressure.size() * 9 / 10);
   }
+}
+
+TEST_CASE("one picture shows both directions of sliding") {
+  const TemporaryFolder folder;
+  const std::string picture = (folder.path() / "p.svg").string();
+  const Json solution = solve_example("two_bumps.toml", words("--both-directions --samples 400 --plot " + picture));
+  const std::string svg = folder.read("p.svg");
+  CHECK(is_well_formed(svg));
+  check_holds(shown_text(svg), {"sliding towards +x and towards −x", "contact, towards −x", "shear t", ", towards −x"});
+  const auto bumps = [](double x) { return (x * x - 1) * (x * x - 1) / 4; };
+  const Points one = sampled(solution, bumps).pressure, other = sampled(solution["other_direction"], bumps).pressure;
+  const PlottedPanel above(svg, 'b'), below(svg, 'c');
+  CHECK(met(one, above.curve(1), above) == one.size());
+  CHECK(met(other, below.curve(1), below) == other.size());
+  CHECK(met(other, above.curve(1), above) < other.size() / 2);  // the control
 }
 
 TEST_CASE("a picture shows a problem far from zero and a very small problem in full size") {
