@@ -117,8 +117,11 @@ struct FollowedLoads {
 FollowedLoads solved_steps(const SolveOptions& options, const Problem& problem, const std::vector<Rational>& loads) {
   std::vector<LoadStep> steps;
   Progress progress(loads.size());
-  Solver::Wanted wanted{options.method,  {options.common.digits},         options.variational(),
-                        options.certify, options.certificate.has_value(), options.jobs};
+  SolutionWanted solution{options.common.digits};
+  solution.over = options.over;
+  Solver::Wanted wanted{
+      options.method, std::move(solution), options.variational(), options.certify, options.certificate.has_value(),
+      options.jobs};
   wanted.variational.progress = follow(progress);
   Solver solver(std::move(wanted));
   for (const Rational& load : loads) {

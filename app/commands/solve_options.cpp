@@ -54,6 +54,7 @@ void refuse_conflicts(const Given& given, const SolveOptions& options) {
       conflict("--load-steps", follows, {"--stress-at", "--loads-on", "--max-stress"},
                "stresses and forces are those of one load"),
       conflict("--plot", options.plot.has_value(), {"--load-steps"}, "a picture shows one solution"),
+      {options.over && options.certify, "--over: conflicting option", "averages have estimates, no proof", "--certify"},
       {given.has("--jobs") && !options.certify, "--jobs: nothing to share", "it goes with --certify",
        given.text("--jobs")},
       {given.has("--depth") && !given.has("--max-stress"), "--max-stress: missing",
@@ -87,6 +88,14 @@ std::optional<Tolerance> tolerance_wanted(const Given& given) {
   return Tolerance{size_of(given, "--tolerance-profile", rule), size_of(given, "--tolerance-friction", rule)};
 }
 
+std::optional<Rational> window_wanted(const Given& given) {
+  if (!given.has("--over")) return std::nullopt;
+  constexpr const char* rule = "the length of a window is positive";
+  const Rational length = size_of(given, "--over", rule);
+  if (length > 0) return length;
+  throw bad_command_line("--over: 0", rule, given.text("--over"));
+}
+
 FieldWanted field_wanted(const Given& given) {
   FieldWanted wanted;
   if (const auto file = given.name("--stress-at", "file")) wanted.points = read_depth_points(*file);
@@ -116,6 +125,7 @@ std::vector<Option> solve_option_list() {
        {"--max-stress", "", "The largest von Mises stress in the body, and where; with --certify a lower bound",
         Option::Kind::flag},
        {"--depth", "Z", "At depths of at least Z; default 0, or where stresses have no bound width/100"},
+       {"--over", "LENGTH", "The largest mean pressure over windows of this length, inside the contact"},
        {"--load-steps", "LIST", "The contact under each of these loads, one row for each component"},
        {"--tolerance-profile", "E", "Intervals of load shares and friction for all profiles within E; f must not fall"},
        {"--tolerance-friction", "D", "The same for all frictions within D"},
@@ -142,6 +152,7 @@ SolveOptions solve_options(const Given& given) {
   options.samples = given.count("--samples", 1, 100000).value_or(0);
   options.cells = given.count("--cells", numeric::fewest_cells, numeric::most_cells);
   options.iterations = given.count("--iterations", 1, 10000);
+  options.over = window_wanted(given);
   refuse_conflicts(given, options);
   options.field = field_wanted(given);
   options.tolerance = tolerance_wanted(given);
@@ -177,6 +188,7 @@ SolutionWanted solution_wanted(const SolveOptions& options) {
     for (Rational& x : library::read_places(*options.at_file, max_places)) wanted.at.push_back(std::move(x));
   }
   wanted.field = options.field;
+  wanted.over = options.over;
   const bool any_samples = !wanted.at.empty() || wanted.samples > 0 || wanted.field.any();
   if (options.common.format == Format::csv && !any_samples) wanted.samples = csv_samples;
   return wanted;

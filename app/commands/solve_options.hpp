@@ -29,6 +29,7 @@ struct SolveOptions {
   std::optional<std::string> certificate;  ///< the file to write
   std::optional<std::string> plot;         ///< the file to write
   FieldWanted field;
+  std::optional<Rational> over;  ///< the length of the window of average pressures
   std::optional<Tolerance> tolerance;
 
   numeric::VariationalOptions variational() const {

@@ -161,7 +161,7 @@ SolutionText solution_text(const Problem& problem, const numeric::ContactSolutio
   Writer<R> writer(text, wanted);
   text.method = solution.method();
   text.digits = wanted.digits;
-  const SolvedContact<R> solved(problem.contact, solution);
+  const SolvedContact<R> solved(problem.contact, solution, wanted.over);
   writer.tell("contact");
   set_contact(text, solved.contact(), writer);
   text.component_load = answer::converted(writer, solved.forces().component_load);

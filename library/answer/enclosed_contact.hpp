@@ -33,6 +33,8 @@ class EnclosedContact {
   Ball per_length(const Ball& force) const { return force / length(); }
   NotEnclosed largest_pressure() const { return {}; }
   std::optional<Ball> tilt() const { return solution_.tilt(); }
+  std::optional<Ball> average_pressure() const { return std::nullopt; }
+  std::optional<Ball> average_at() const { return std::nullopt; }
   std::optional<answer::IntervalOf<Ball>> core() const {
     const auto core = enclosure::punch_core(problem_, forces_.normal.bits());
     return core ? std::optional(answer::IntervalOf<Ball>{core->left, core->right}) : std::nullopt;

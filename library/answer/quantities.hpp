@@ -38,6 +38,10 @@
            solved.largest_pressure())                                                                                     \
   QUANTITY(Count, components, "–", 11, "how many", solved.components())                                                   \
   QUANTITY(IfAny, tilt, "–", 5, "where the indenter may tilt", solved.tilt())                                             \
+  QUANTITY(IfAny, largest_average, "F/L²", 13,                                                                            \
+           "with a window: the largest mean pressure over a window of its length inside the contact",                      \
+           solved.average_pressure())                                                                                     \
+  QUANTITY(IfAny, largest_average_at, "L", 14, "the centre of this window", solved.average_at())                          \
   QUANTITY(Interval, core, "L", 12, "of a flat punch, from its `left` end to its `right` end", solved.core())
 // clang-format on
 

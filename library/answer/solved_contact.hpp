@@ -17,8 +17,12 @@ class SolvedContact {
  public:
   using Estimate = numeric::Estimate<R>;
 
-  SolvedContact(const ContactProblem& problem, const numeric::ContactSolution<R>& solution)
-      : problem_(problem), solution_(solution), contact_(solution.contact()), forces_(solution.resultants()) {}
+  /// `over`: the length of the window of average pressures.
+  SolvedContact(const ContactProblem& problem, const numeric::ContactSolution<R>& solution,
+                const std::optional<Rational>& over = std::nullopt)
+      : problem_(problem), solution_(solution), contact_(solution.contact()), forces_(solution.resultants()) {
+    if (over) average_ = solution.largest_average_pressure(numeric::to_real<R>(*over));
+  }
 
   const std::vector<numeric::ContactComponent<R>>& contact() const { return contact_; }
   const numeric::Resultants<R>& forces() const { return forces_; }
@@ -37,6 +41,8 @@ class SolvedContact {
   }
   Estimate per_length(const Estimate& force) const { return contact_.empty() ? unknown() : force / length(); }
   std::optional<Estimate> tilt() const { return solution_.tilt(); }
+  std::optional<Estimate> average_pressure() const { return average_ ? std::optional(average_->value) : std::nullopt; }
+  std::optional<Estimate> average_at() const { return average_ ? std::optional(average_->x) : std::nullopt; }
   std::optional<answer::IntervalOf<Estimate>> core() const {
     const auto core = numeric::punch_core<R>(problem_);
     return core ? std::optional(answer::IntervalOf<Estimate>{core->left, core->right}) : std::nullopt;
@@ -49,6 +55,7 @@ class SolvedContact {
   const numeric::ContactSolution<R>& solution_;
   std::vector<numeric::ContactComponent<R>> contact_;
   numeric::Resultants<R> forces_;
+  std::optional<numeric::AveragePressure<R>> average_;
 };
 
 }  // namespace steadyslide::library

@@ -42,6 +42,7 @@ class SweepReader {
             count("digits", 1, 100),
             count("cells", 16, max_cells),
             count("iterations", 1, 10000),
+            window(),
             fingerprint};
   }
 
@@ -165,7 +166,7 @@ class SweepReader {
 
   std::optional<Word> read_method() const {
     if (reader_.find("solve") == nullptr) return std::nullopt;
-    reader_.check_table("solve", {"digits", "method", "cells", "iterations"});
+    reader_.check_table("solve", {"digits", "method", "cells", "iterations", "over"});
     const Value* method = reader_.find("solve.method");
     if (method == nullptr) return std::nullopt;
     return Word{reader_.text("solve.method", *method), fmt::format("{}:{}: solve.method", name_, method->line)};
@@ -181,6 +182,12 @@ class SweepReader {
                           excerpt(value->text));
     }
     return number.convert_to<int>();
+  }
+
+  std::optional<Rational> window() const {
+    const std::optional<Rational> length = reader_.number_if_any("solve.over");
+    if (!length || *length > 0) return length;
+    throw reader_.error("solve.over", "not positive", "the length of a window is positive", to_string(*length));
   }
 
   const Value& root_;

@@ -21,6 +21,7 @@
 #include "model/contact_problem.hpp"
 #include "model/contact_values.hpp"
 #include "numeric/number/estimate.hpp"
+#include "numeric/solution/average_pressure.hpp"
 #include "numeric/solution/piecewise_traction.hpp"
 
 namespace steadyslide::numeric {
@@ -150,6 +151,10 @@ class ContactSolution {
   /// Returns the largest pressure. Between singular points it compares the pressure's critical points; according to the
   /// error estimates none is missed.
   virtual LargestPressure<R> largest_pressure() const = 0;
+  /// Returns the largest mean pressure over windows of this length, which is positive, inside the contact.
+  virtual AveragePressure<R> largest_average_pressure(const R& length) const {
+    return numeric::largest_average_pressure(piecewise_traction(), length);
+  }
   /// Returns the slope that is added to psi; absent if the indenter may not tilt.
   virtual std::optional<Estimate<R>> tilt() const { return std::nullopt; }
   virtual EstimatedError<R> estimated_error() const = 0;

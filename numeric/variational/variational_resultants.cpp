@@ -41,6 +41,25 @@ double VariationalSolution::MeshLoads::between(double a, double b) const {
   return std::abs(before_place(b) - before_place(a));
 }
 
+std::pair<double, double> VariationalSolution::MeshLoads::largest_average(double length) const {
+  const std::size_t cells = before.size() - 1;
+  const auto edge = [&](std::size_t i) { return static_cast<double>(i) / static_cast<double>(cells) - 0.5; };
+  std::size_t first = 0, last = cells;
+  while (first < last && before[first + 1] == 0) ++first;
+  while (first < last && before[last - 1] == before[cells]) --last;
+  const double left = edge(first), window = std::min(length, edge(last) - left);
+  std::pair<double, double> best{0, 0};
+  // The load in a window is linear in its place until one of its ends passes an edge.
+  for (std::size_t i = first; i <= last; ++i) {
+    for (const double from : {edge(i), edge(i) - window}) {
+      const double inside = std::clamp(from, left, edge(last) - window);
+      const double mean = between(inside, inside + window) / window;
+      if (mean > best.first) best = {mean, inside + window / 2};
+    }
+  }
+  return best;
+}
+
 template <class OnMesh>
 double VariationalSolution::open_error(OnMesh on_mesh) const {
   double error = 0;
@@ -179,6 +198,15 @@ double VariationalSolution::moved_load() const {
     last = next;
   }
   return std::max(worst, std::abs(last));
+}
+
+AveragePressure<double> VariationalSolution::largest_average_pressure(const double& length) const {
+  const double window = length / unit_;
+  const auto [mean, middle] = meshes_.front().largest_average(window);
+  const double mean_error =
+      1e-15 * mean + open_error([&](const MeshLoads& on) { return on.largest_average(window).first; });
+  const double moved = open_error([&](const MeshLoads& on) { return on.largest_average(window).second; });
+  return {stress_ * Estimate<double>{mean, mean_error}, {origin_ + unit_ * middle, cell_length() + unit_ * moved}};
 }
 
 std::optional<Estimate<double>> VariationalSolution::tilt() const {

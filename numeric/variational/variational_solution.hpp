@@ -41,6 +41,7 @@ class VariationalSolution : public ContactSolution<double> {
   /// power), at convex wedges (by a logarithm whose intensity is exact). Otherwise it returns the largest mean over a
   /// cell.
   LargestPressure<double> largest_pressure() const override;
+  AveragePressure<double> largest_average_pressure(const double& length) const override;
   std::optional<Estimate<double>> tilt() const override;
   EstimatedError<double> estimated_error() const override;
   /// Returns the residuals of the certificate. `equation` is the largest mean gap of a cell in contact, in units of c
@@ -85,6 +86,9 @@ class VariationalSolution : public ContactSolution<double> {
     double before_place(double xi) const;
     /// Returns the load between two places.
     double between(double a, double b) const;
+    /// Returns the largest mean of the load share over windows of this length inside the contact, and the middle of the
+    /// window.
+    std::pair<double, double> largest_average(double length) const;
   };
   /// Returns the error of a quantity that each mesh gives, `on_mesh(MeshLoads) -> double`.
   template <class OnMesh>

@@ -124,17 +124,19 @@ TEST_CASE("sweep: measured profiles can vary") {
         "indenter.samples,method,failed_condition\nflat.csv,closed-form,\nwedge.csv,riemann-hilbert,\n");
 }
 
-TEST_CASE("sweep: digits, method and cells are those of solve") {
+TEST_CASE("sweep: digits, method, cells and the window are those of solve") {
   const SweepFolder folder("[vary]\nload = [1, 2]\n[solve]\ndigits = 30\n[output]\ncolumns = [\"load_share[0]\"]\n");
   const Json json = Json::parse(output(sweep_base, {"--format", "json", "--digits", "30"}));
   CHECK(table_of(out_of(folder.sweep()))[1][1] == json["resultants"]["load_share"][0]["value"]);
   folder.write("sweep.toml",
                "problem = \"base.toml\"\n[vary]\nload = [1]\n[solve]\nmethod = \"variational\"\n"
-               "cells = 2048\niterations = 9\n[output]\ncolumns = [\"load_share[0]\", \"method\"]\n");
-  const Json cells =
-      Json::parse(output(sweep_base, {"--format", "json", "--method", "variational", "--cells", "2048"}));
+               "cells = 2048\niterations = 9\nover = 0.1\n[output]\ncolumns = [\"largest_average\", \"load_share[0]\", "
+               "\"method\"]\n");
+  const Json cells = Json::parse(
+      output(sweep_base, {"--format", "json", "--method", "variational", "--cells", "2048", "--over", "0.1"}));
   CHECK(table_of(out_of(folder.sweep()))[1] ==
-        std::vector<std::string>{"1", cells["resultants"]["load_share"][0]["value"], "variational", ""});
+        std::vector<std::string>{"1", cells["resultants"]["largest_average"]["value"],
+                                 cells["resultants"]["load_share"][0]["value"], "variational", ""});
 }
 
 TEST_CASE("sweep: a failure is a row with its reason, and exit code 1") {

@@ -1,0 +1,149 @@
+#include "numeric/solution/average_pressure.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "numeric/solution/highest_peak.hpp"
+
+namespace steadyslide::numeric {
+namespace {
+
+/// Computes the load W(d) of the contact up to the distance d from its first end.
+template <Real R>
+class LoadBefore {
+ public:
+  explicit LoadBefore(const PiecewiseTraction<R>& traction) : traction_(traction) {
+    Estimate<R> sum;
+    for (const TractionPanel<R>& panel : traction.panels()) {
+      starts_.push_back(panel.left - traction.panels().front().left);
+      before_.push_back(sum);
+      sum += load_of(panel, panel.length);
+    }
+    before_.push_back(sum);
+  }
+
+  R width() const { return starts_.back() + traction_.panels().back().length; }
+  /// The ends of all panels, in order.
+  std::vector<R> ends() const {
+    std::vector<R> result;
+    for (std::size_t k = 0; k < starts_.size(); ++k) {
+      for (const R& end : {starts_[k], R(starts_[k] + traction_.panels()[k].length)}) {
+        if (result.empty() || end > result.back()) result.push_back(end);
+      }
+    }
+    return result;
+  }
+
+  Estimate<R> operator()(const R& d) const {
+    const auto next = std::upper_bound(starts_.begin(), starts_.end(), d);
+    if (next == starts_.begin()) return {};
+    const auto k = static_cast<std::size_t>(next - starts_.begin()) - 1;
+    const TractionPanel<R>& panel = traction_.panels()[k];
+    const R inside = d - starts_[k];
+    return inside >= panel.length ? before_[k + 1] : before_[k] + load_of(panel, inside);
+  }
+
+ private:
+  /// Returns the load on the left part of a panel.
+  Estimate<R> load_of(const TractionPanel<R>& panel, const R& length) const {
+    if (!(length > 0)) return {};
+    nodes_.clear();
+    const PanelPart<R> part{R(0), length, R(panel.length - length)};
+    traction_.append_nodes(panel, part, nodes_);
+    Estimate<R> load;
+    for (std::size_t i = 0; i < nodes_.forces.size(); ++i) {
+      const R error = panel.error + panel.displaced(part, nodes_.from_left[i], nodes_.from_right[i], length);
+      load += Estimate<R>{-nodes_.forces[i], error * abs(nodes_.forces[i])};
+    }
+    return load;
+  }
+
+  const PiecewiseTraction<R>& traction_;
+  std::vector<R> starts_;
+  std::vector<Estimate<R>> before_;
+  mutable TractionNodes<R> nodes_;
+};
+
+/// Searches the windows of one length.
+template <Real R>
+class WindowSearch {
+ public:
+  WindowSearch(const PiecewiseTraction<R>& traction, const R& length)
+      : panels_(traction.panels()),
+        before_(traction),
+        window_(std::min(length, before_.width())),
+        last_(before_.width() - window_) {}
+
+  AveragePressure<R> best() const {
+    const std::vector<R> stops = places_of_corners();
+    AveragePressure<R> best{average(stops[0]), centre(stops[0], R(0))};
+    for (const R& stop : stops) {
+      const Estimate<R> there = average(stop);
+      if (there.value > best.value.value) best = {there, centre(stop, R(0))};
+    }
+
+    std::vector<R> starts, lengths;
+    for (std::size_t k = 0; k + 1 < stops.size(); ++k) {
+      const R bound = (before_(stops[k + 1] + window_).value - before_(stops[k]).value) / window_;
+      if (!(stops[k + 1] > stops[k]) || bound <= best.value.value) continue;
+      starts.push_back(stops[k]);
+      lengths.push_back(stops[k + 1] - stops[k]);
+    }
+    const PanelFunction<R> inside = [&](std::size_t k, const R& from_left, const R&) {
+      return average(starts[k] + from_left);
+    };
+    const std::vector<Peak<R>> peaks = highest_peaks(lengths, inside, best.value.value);
+    const auto place = [&](const Peak<R>& peak) {
+      return centre(starts[peak.panel] + peak.from_left, peak.place_error);
+    };
+    if (peaks.empty()) return best;
+    best = {peaks[0].value, place(peaks[0])};
+    for (const Peak<R>& other : peaks) {
+      const Estimate<R> x = place(other);
+      best.x.error = std::max(best.x.error, R(abs(x.value - best.x.value) + x.error));
+    }
+    return best;
+  }
+
+ private:
+  Estimate<R> average(const R& from) const { return R(1 / window_) * (before_(from + window_) - before_(from)); }
+
+  Estimate<R> centre(const R& from, const R& error) const {
+    const R x = panels_.front().left.moved(from + window_ / 2).high;
+    return {x, error + panels_.front().end_error + epsilon<R>() * abs(x)};
+  }
+
+  /// Returns the places of windows one of whose ends is at an end of a panel, and the first and the last place.
+  std::vector<R> places_of_corners() const {
+    std::vector<R> places{R(0), last_};
+    for (const R& end : before_.ends()) {
+      for (const R& place : {end, R(end - window_)}) {
+        if (place > 0 && place < last_) places.push_back(place);
+      }
+    }
+    std::sort(places.begin(), places.end());
+    return places;
+  }
+
+  const std::vector<TractionPanel<R>>& panels_;
+  LoadBefore<R> before_;
+  R window_;
+  R last_;  ///< the place of the last window
+};
+
+}  // namespace
+
+template <Real R>
+AveragePressure<R> largest_average_pressure(const PiecewiseTraction<R>& traction, const R& length) {
+  if (!(length > 0)) throw std::invalid_argument("length of a window");
+  if (!traction.panels().empty()) return WindowSearch<R>(traction, length).best();
+  const Estimate<R> unknown{R(std::numeric_limits<double>::quiet_NaN()), infinity<R>()};
+  return {unknown, unknown};
+}
+
+#define STEADYSLIDE_INSTANTIATE(R) \
+  template AveragePressure<R> largest_average_pressure(const PiecewiseTraction<R>&, const R&);
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
+#undef STEADYSLIDE_INSTANTIATE
+
+}  // namespace steadyslide::numeric
