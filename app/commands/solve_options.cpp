@@ -59,6 +59,7 @@ void refuse_conflicts(const Given& given, const SolveOptions& options) {
        given.text("--jobs")},
       {given.has("--depth") && !given.has("--max-stress"), "--max-stress: missing",
        "--depth is that of the largest stress", "--depth"},
+      conflict("--cells", options.cells.has_value(), {"--accuracy"}, "the accuracy chooses the cells"),
       conflict("--stress-at", csv && given.has("--stress-at"),
                {"--loads-on", "--max-stress", "--at", "--at-file", "--samples"}, one_table),
       conflict("--loads-on", csv && given.has("--loads-on"), {"--max-stress", "--at", "--at-file", "--samples"},
@@ -86,6 +87,13 @@ std::optional<Tolerance> tolerance_wanted(const Given& given) {
   if (!given.has("--tolerance-profile") && !given.has("--tolerance-friction")) return std::nullopt;
   constexpr const char* rule = "a tolerance is at least 0";
   return Tolerance{size_of(given, "--tolerance-profile", rule), size_of(given, "--tolerance-friction", rule)};
+}
+
+std::optional<double> accuracy_wanted(const Given& given) {
+  if (!given.has("--accuracy")) return std::nullopt;
+  const Rational accuracy = size_of(given, "--accuracy", accuracy_rule);
+  if (is_accuracy(accuracy)) return accuracy.convert_to<double>();
+  throw bad_command_line("--accuracy: out of range", accuracy_rule, given.text("--accuracy"));
 }
 
 std::optional<Rational> window_wanted(const Given& given) {
@@ -118,6 +126,7 @@ std::vector<Option> solve_option_list() {
        {"--both-directions", "", "The solution with the indenter sliding the other way, too", Option::Kind::flag},
        {"--samples", "N", "Results at N places in each contact component and gap, 1 to 100000"},
        {"--cells", "N", "Equal cells on the support, 16 to 4194304; default 4096: variational only"},
+       {"--accuracy", "A", "More cells, until ends and resultants have this relative error: variational only"},
        {"--iterations", "N", "Most steps of the active sets on each mesh, 1 to 10000; default 100: variational only"},
        {"--plot", "FILE", "Draw indenter, surface and tractions into FILE.svg, .pdf or .png, by gnuplot"},
        {"--stress-at", "FILE", "Stresses below the surface at the points x,z of a table, z > 0 into the body"},
@@ -152,6 +161,7 @@ SolveOptions solve_options(const Given& given) {
   options.samples = given.count("--samples", 1, 100000).value_or(0);
   options.cells = given.count("--cells", numeric::fewest_cells, numeric::most_cells);
   options.iterations = given.count("--iterations", 1, 10000);
+  options.accuracy = accuracy_wanted(given);
   options.over = window_wanted(given);
   refuse_conflicts(given, options);
   options.field = field_wanted(given);
@@ -177,6 +187,7 @@ void check_method(const SolveOptions& options, const Problem& problem) {
        "--digits: out of range",
        fmt::format("at most {} are proved of a solution without closed form", most_digits_of_integrals), digits},
       {!on_cells && options.cells, "--cells: method without cells", cells_rule, method},
+      {!on_cells && options.accuracy, "--accuracy: method without cells", cells_rule, method},
       {!on_cells && options.iterations, "--iterations: method without cells", cells_rule, method},
   });
 }

@@ -25,6 +25,7 @@ struct SolveOptions {
   unsigned jobs;           ///< number of threads of a proof
   std::optional<int> cells;
   std::optional<int> iterations;
+  std::optional<double> accuracy;
   bool certify;
   std::optional<std::string> certificate;  ///< the file to write
   std::optional<std::string> plot;         ///< the file to write
@@ -36,6 +37,7 @@ struct SolveOptions {
     numeric::VariationalOptions result;
     if (cells) result.cells = static_cast<std::size_t>(*cells);
     if (iterations) result.most_steps = *iterations;
+    result.accuracy = accuracy.value_or(0);
     return result;
   }
 };

@@ -1,5 +1,7 @@
 #include "app/commands/solver.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "app/results/certified_text.hpp"
@@ -23,6 +25,14 @@ SolutionText Solver::solve_on_cells(const Problem& problem) const {
   // A solution on cells judges its residuals itself.
   wanted.largest_residual = numeric::infinity<double>();
   SolutionText text = solution_text(problem, *found.solution, wanted);
+  const auto [ends, traction, resultants] = found.solution->estimated_error();
+  const double accuracy = wanted_.variational.accuracy, error = std::max(ends, resultants);
+  if (accuracy > 0 && error > accuracy && text.is_solved()) {
+    text.warnings.push_back(
+        fmt::format("accuracy not reached; cells are refined until ends and resultants have the "
+                    "relative error {:.2g}; {:.2g}",
+                    accuracy, error));
+  }
   if (text.is_solved() && !text.in_range) text.failed_condition = "values out of the range of double";
   if (wanted_.certify) {
     const auto& on_cells = dynamic_cast<const numeric::VariationalSolution&>(*found.solution);

@@ -24,6 +24,10 @@ Method method_named(std::string_view name);
 /// predicts how many of them double can represent.
 bool takes_variational(Method method, const ContactProblem& problem, bool certify, int digits = 16);
 
+/// The rule for the relative error that is wanted of a solution on cells.
+inline constexpr const char* accuracy_rule = "an accuracy is at least 1e-9, and less than 1";
+inline bool is_accuracy(const Rational& accuracy) { return accuracy >= Rational(1, 1000000000) && accuracy < 1; }
+
 /// The rule for more than 16 digits.
 inline constexpr const char* digits_on_cells = "the variational method works in double, 16 digits at most";
 

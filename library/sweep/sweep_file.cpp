@@ -9,6 +9,7 @@
 #include "library/problem_file/file_error.hpp"
 #include "library/problem_file/input_file.hpp"
 #include "library/problem_file/problem_reader.hpp"
+#include "library/solve/method.hpp"
 #include "library/sweep/random_decimals.hpp"
 #include "library/sweep/varied_values.hpp"
 #include "library/text/one_line.hpp"
@@ -36,14 +37,16 @@ class SweepReader {
     auto [base, file] = read_base(fingerprint);
     std::vector<Axis> axes = read_axes();
     for (const std::string& trace : traces(base, axes)) fingerprint = fnv1a(contents_beside(file, trace), fingerprint);
-    return {Combinations(std::move(base), file, std::move(axes), name_),
-            read_columns(),
-            read_method(),
-            count("digits", 1, 100),
-            count("cells", 16, max_cells),
-            count("iterations", 1, 10000),
-            window(),
-            fingerprint};
+    return {
+        Combinations(std::move(base), file, std::move(axes), name_),
+        read_columns(),
+        read_method(),
+        count("digits", 1, 100),
+        count("cells", 16, max_cells),
+        count("iterations", 1, 10000),
+        checked_number("accuracy", accuracy_rule, is_accuracy),
+        checked_number("over", "the length of a window is positive", [](const Rational& length) { return length > 0; }),
+        fingerprint};
   }
 
  private:
@@ -166,7 +169,7 @@ class SweepReader {
 
   std::optional<Word> read_method() const {
     if (reader_.find("solve") == nullptr) return std::nullopt;
-    reader_.check_table("solve", {"digits", "method", "cells", "iterations", "over"});
+    reader_.check_table("solve", {"digits", "method", "cells", "accuracy", "iterations", "over"});
     const Value* method = reader_.find("solve.method");
     if (method == nullptr) return std::nullopt;
     return Word{reader_.text("solve.method", *method), fmt::format("{}:{}: solve.method", name_, method->line)};
@@ -184,10 +187,11 @@ class SweepReader {
     return number.convert_to<int>();
   }
 
-  std::optional<Rational> window() const {
-    const std::optional<Rational> length = reader_.number_if_any("solve.over");
-    if (!length || *length > 0) return length;
-    throw reader_.error("solve.over", "not positive", "the length of a window is positive", to_string(*length));
+  std::optional<Rational> checked_number(const std::string& key, const char* rule,
+                                         bool (*is_allowed)(const Rational&)) const {
+    const std::optional<Rational> number = reader_.number_if_any("solve." + key);
+    if (!number || is_allowed(*number)) return number;
+    throw reader_.error("solve." + key, "out of range", rule, to_string(*number));
   }
 
   const Value& root_;

@@ -117,7 +117,17 @@ Residuals<double> VariationalSolution::residuals() const {
 
 Attempt<double> variational_inequality(const ContactProblem& problem, const VariationalOptions& options) {
   if (options.cells < fewest_cells || options.cells > most_cells) throw std::invalid_argument("number of cells");
-  auto solution = std::make_shared<VariationalSolution>(problem, variational::solve_nested(problem, options));
+  VariationalOptions tried = options;
+  auto solution = std::make_shared<VariationalSolution>(problem, variational::solve_nested(problem, tried));
+  while (options.accuracy > 0 && tried.cells < most_cells && solution->failed_condition().empty()) {
+    const auto [ends, traction, resultants] = solution->estimated_error();
+    const double excess = std::max(ends, resultants) / options.accuracy;
+    if (excess <= 1) break;
+    // The error of ends is like the length of a cell.
+    const double factor = std::clamp(std::exp2(std::ceil(std::log2(excess))), 2.0, 64.0);
+    tried.cells = std::min(most_cells, tried.cells * static_cast<std::size_t>(factor));
+    solution = std::make_shared<VariationalSolution>(problem, variational::solve_nested(problem, tried));
+  }
   if (problem.elasticity().indenter() && solution->reaches_edge()) {
     return {nullptr, "the contact of an elastic indenter reaches an edge, where the half-plane idealisation fails"};
   }

@@ -214,3 +214,25 @@ TEST_CASE("out of steps: the best state, and what is wrong with it") {
 TEST_CASE("fewer than 16 cells are refused") {
   CHECK_THROWS_AS(variational_inequality(reduced({0.3_r}, {}, two_wells(), 2), {.cells = 8}), std::invalid_argument);
 }
+
+TEST_CASE("cells are refined until the wanted accuracy is reached, and it is") {
+  for (const ContactProblem& problem : {on_two_coatings(two_wells(), 0.4_r), on_two_coatings(two_wells(), 9)}) {
+    const auto exact = solved<double>(problem);
+    const auto truth = exact->contact();
+    const double width = truth.back().right.x.value - truth.front().left.x.value;
+    for (const double accuracy : {1e-3, 1e-5}) {
+      const auto found = variational_inequality(problem, {.accuracy = accuracy}).solution;
+      const EstimatedError<double> error = found->estimated_error();
+      CHECK(std::max(error.ends, error.resultants) <= accuracy);
+      CHECK(std::max(error.ends, error.resultants) >= accuracy / 100);  // not with far more cells than needed
+      const auto contact = found->contact();
+      REQUIRE(contact.size() == truth.size());
+      for (std::size_t k = 0; k < truth.size(); ++k) {
+        CHECK(std::abs(contact[k].left.x.value - truth[k].left.x.value) <= accuracy * width);
+        CHECK(std::abs(contact[k].right.x.value - truth[k].right.x.value) <= accuracy * width);
+      }
+      CHECK(std::abs(found->resultants().effective_friction.value - exact->resultants().effective_friction.value) <=
+            accuracy * exact->resultants().effective_friction.value);
+    }
+  }
+}
