@@ -106,7 +106,11 @@ class WindowSearch {
   }
 
  private:
-  Estimate<R> average(const R& from) const { return R(1 / window_) * (before_(from + window_) - before_(from)); }
+  /// The Chebyshev series of the panels have two digits more than are served.
+  Estimate<R> average(const R& from) const {
+    const Estimate<R> load = before_(from + window_) - before_(from);
+    return R(1 / window_) * load.widened(pow(R(10), R(-digits_served<R> - 2)));
+  }
 
   Estimate<R> centre(const R& from, const R& error) const {
     const R x = panels_.front().left.moved(from + window_ / 2).high;

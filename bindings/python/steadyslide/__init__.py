@@ -120,6 +120,8 @@ class Resultants(NamedTuple):
     largest_pressure: LargestPressure
     components: int
     tilt: Number | None
+    largest_average: Number | None
+    largest_average_at: Number | None
     core: Interval | None
 
 
@@ -336,6 +338,8 @@ class Solution:
     largest_pressure: LargestPressure
     components: int
     tilt: Number | None
+    largest_average: Number | None
+    largest_average_at: Number | None
     core: Interval | None
 
     def __init__(self, problem: Problem, digits: int = 16, method: str = "auto", cells: int | None = None) -> None:

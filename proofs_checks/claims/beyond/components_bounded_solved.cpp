@@ -19,7 +19,8 @@ Polynomial with_wells(std::size_t wells, std::size_t ends) {
   return product;
 }
 
-/// Every other profile is one that reaches the bound under a small load.
+/// Every other profile is one that reaches the bound under a small load and weak friction. Strong friction presses on
+/// one of several places of equal height alone, until the zones are shorter than a cell.
 CaseList<ContactProblem> bumps(const Context& context) {
   return random_cases(
       context, "components-bounded-solved", 240, 32, "random frictions, profiles and loads",
@@ -29,7 +30,11 @@ CaseList<ContactProblem> bumps(const Context& context) {
         const std::size_t ends = random.below(3), wells = random.below(ends == 2 ? 3 : 4);
         if (k % 2 == 0) return random_one;
         const Indenter indenter(-1, {{1, with_wells(std::max<std::size_t>(wells, ends < 2 ? 1 : 0), ends)}});
-        return random_one.with_indenter(indenter).with_load(small);
+        std::vector<Rational> weak = random_one.friction().values();
+        for (Rational& f : weak) f /= 20;
+        return random_one.with_friction(FrictionProfile(weak, random_one.friction().jumps()))
+            .with_indenter(indenter)
+            .with_load(small);
       });
 }
 

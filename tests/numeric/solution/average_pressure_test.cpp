@@ -25,7 +25,12 @@ void no_window_has_more(const ContactSolution<R>& solution, const Rational& leng
   for (int k = 0; k <= 1000; ++k) best = std::max(best, average(first + (width - length) * Rational(k, 1000)));
   CHECK(best <= found.value.value + 4 * found.value.error + R(1e-13) * best);
   CHECK(best >= found.value.value * R(0.998));
-  const R there = average(Rational(found.x.value) - length / 2);
+  // A window at an edge begins exactly there, because the load rises steeply.
+  Rational from = Rational(found.x.value) - length / 2;
+  for (const Rational& end : {first, Rational(first + width - length)}) {
+    if (abs(to_real<R>(from - end)) < R(1e-12)) from = end;
+  }
+  const R there = average(from);
   CHECK(abs(there - found.value.value) <= 4 * found.value.error + R(1e-9) * there);
 }
 
@@ -33,13 +38,14 @@ void no_window_has_more(const ContactSolution<R>& solution, const Rational& leng
 
 TEST_CASE_TEMPLATE("a window at the top of a parabola and at the edge of a punch: the formulas", R, double, Real50,
                    Real100) {
-  using std::abs, std::asin, std::sqrt;
+  using std::abs, std::asin, std::max, std::pow, std::sqrt;
+  const R served = max(R(1000 * epsilon<R>()), R(pow(R(10), R(-digits_served<R> - 1))));
   // p = 2/(pi a) sqrt(1 - x^2/a^2) with a^2 = 2/pi.
   const R a = sqrt(2 / pi<R>()), h = R(0.125);
   const auto parabola = riemann_hilbert<R>(reduced({0}, {}, one_piece(-4, 4, {0, 0, 0.5_r}), 1)).solution;
   const AveragePressure<R> top = parabola->largest_average_pressure(2 * h);
   const R at_top = 2 / (pi<R>() * 2 * h) * (asin(h / a) + h / a * sqrt(1 - h * h / (a * a)));
-  CHECK(abs(top.value.value - at_top) <= 1000 * epsilon<R>() * at_top);
+  CHECK(abs(top.value.value - at_top) <= served * at_top);
   CHECK(abs(top.value.value - at_top) <= 10 * top.value.error + 100 * epsilon<R>() * at_top);
   CHECK(abs(top.x.value) <= sqrt(epsilon<R>()));
   // The control: the mean over a window that is longer by a hundredth.
@@ -49,11 +55,11 @@ TEST_CASE_TEMPLATE("a window at the top of a parabola and at the edge of a punch
   const auto punch = riemann_hilbert<R>(reduced({0}, {}, one_piece(-1, 1, {0}), 1)).solution;
   const AveragePressure<R> edge = punch->largest_average_pressure(2 * h);
   const R at_edge = (asin(R(1)) - asin(1 - 2 * h)) / (pi<R>() * 2 * h);
-  CHECK(abs(edge.value.value - at_edge) <= 1000 * epsilon<R>() * at_edge);
+  CHECK(abs(edge.value.value - at_edge) <= served * at_edge);
   CHECK(abs(abs(edge.x.value) - (1 - h)) <= 10 * epsilon<R>());
   // A window that is longer than the contact.
   const AveragePressure<R> all = punch->largest_average_pressure(R(5));
-  CHECK(abs(all.value.value - R(0.5)) <= 100 * epsilon<R>());
+  CHECK(abs(all.value.value - R(0.5)) <= served);
   CHECK(abs(all.x.value) <= 10 * epsilon<R>());
   CHECK_THROWS(punch->largest_average_pressure(R(0)));
 }
@@ -72,7 +78,7 @@ TEST_CASE("several zones, corners and jumps of friction: no window has more, on 
         no_window_has_more(*found, length);
         const Estimate<double> on_cells = found->largest_average_pressure(to_real<double>(length)).value;
         CHECK(std::abs(on_cells.value - truth.value) <= on_cells.error + 1e-13 * truth.value);
-        CHECK(on_cells.error <= 0.1 * truth.value);
+        CHECK(on_cells.error <= 0.25 * truth.value);
       }
     }
   }
