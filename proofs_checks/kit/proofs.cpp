@@ -19,6 +19,7 @@ Decision decide_identity(const std::string& id) {
   for (const symbolic::DecidedStatement& statement : decided_statements({id})) {
     const symbolic::ExactIdentity& identity = statement.identity;
     decision.words.push_back(identity.statement);
+    decision.decides = parse_facts(statement.decides);
     if (!identity.identical)
       decision = {Truth::no, {identity.statement + ": " + identity.lhs + " and " + identity.rhs}};
     for (const std::string& divisor : identity.nonvanishing) {

@@ -127,6 +127,9 @@ class ProofChecker {
     for (const std::string& id : rows[0]->ids) {
       Decision decision = decisions_.identity(id);
       require(decision, id);
+      if (std::ranges::find(decision.decides, node.fact) == decision.decides.end()) {
+        throw Gap{id + " does not say that it decides " + text_of(node.fact)};
+      }
       for (const std::string& divisor : decision.divisors) {
         if (std::ranges::find(rows[0]->where, Fact{"nonzero", {'"' + divisor + '"'}}) == rows[0]->where.end()) {
           throw Gap{id + " holds where " + divisor + " != 0, and nothing says so"};

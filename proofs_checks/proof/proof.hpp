@@ -2,7 +2,8 @@
 // Checks a written proof step by step: each fact must follow from the facts above it for the reason that stands beside
 // it.
 //
-//   identity     the theory lists identities for the fact; all hold, and their divisors cannot vanish or are given as nonzero
+//   identity     the theory lists identities for the fact; all name it and hold, and their divisors cannot vanish or are
+//                given as nonzero
 //   sign         positive("E"), negative("E"), nonzero("E"), E a polynomial in the parameters: decided for all parameters
 //   enclosure    the fact is decided over boxes that together cover the parameters
 //   theorem      the facts above match the needs of the theorem, with one meaning of each variable
@@ -34,6 +35,7 @@ struct Decision {
   Truth holds = Truth::unknown;
   std::vector<std::string> words = {};     ///< the decided statements
   std::vector<std::string> divisors = {};  ///< divisors of an identity that could vanish
+  std::vector<Fact> decides = {};          ///< the facts that an identity names
 };
 
 struct ProofNode {

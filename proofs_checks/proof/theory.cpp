@@ -231,9 +231,17 @@ Theory::Theory(std::span<const std::string_view> documents) {
       if (!things.contains(thing)) throw std::logic_error("instances of a thing that is not declared: " + thing);
     }
   }
+  std::map<std::string, Fact> first;  // by identity: the first fact that it decides
   for (const DecidedFact& one : decided) {
     require_declared(one.fact);
     for (const Fact& fact : one.where) require_declared(fact);
+    if (one.by != DecidedFact::By::identity) continue;
+    for (const std::string& id : one.ids) {
+      const Fact& other = first.try_emplace(id, one.fact).first->second;
+      if (other.word != one.fact.word) {
+        throw std::logic_error("one identity, two facts: " + id + ", " + text_of(other) + " and " + text_of(one.fact));
+      }
+    }
   }
 }
 

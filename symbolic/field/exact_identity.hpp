@@ -24,6 +24,7 @@ struct DecidedStatement {
   std::string id;
   ExactIdentity identity;
   std::vector<ExactIdentity> controls;  ///< wrong variants; none may be an identity
+  std::string decides = {};             ///< the facts of proofs that it decides, "phase(jump)"
 };
 
 }  // namespace steadyslide::symbolic

@@ -25,7 +25,8 @@ DecidedStatement exponent_at(const std::string& id, PointKind kind, const std::s
     comparison.equal("derived", expression(derived_exponent(kind), alphas), expression(form, alphas));
     return comparison.as(statement);
   };
-  DecidedStatement result{id, decided(words, stated), {}};
+  const std::string point = id.substr(std::string("rh-exponent-").size());
+  DecidedStatement result{id, decided(words, stated), {}, "phase(" + point + ")"};
   for (const auto& [statement, form] : wrong) result.controls.push_back(decided(statement, form));
   return result;
 }
@@ -154,7 +155,8 @@ DecidedStatement local_action() {
       {decided("`cot(pi lambda)` of the other sign", ActionVariant::cotangent),
        decided("`1/sin(pi lambda)` of the other sign", ActionVariant::cosecant),
        decided("the sides exchanged", ActionVariant::exchanged), decided("the banks exchanged", ActionVariant::banks),
-       decided("without `pi`", ActionVariant::pi)}};
+       decided("without `pi`", ActionVariant::pi)},
+      "same-limits(powers, power-origin)"};
 }
 
 }  // namespace

@@ -19,10 +19,10 @@ using GiNaC::symbol;
 using Arguments = std::vector<ex>;
 using Line = StatementLine;
 
-ExactIdentity rational_identity(const std::string& words, const ex& lhs, const ex& rhs) {
+ExactIdentity rational_identity(const ex& lhs, const ex& rhs) {
   const RationalDecision decision = decide_equal(lhs, rhs);
   const auto& divisors = decision.nonvanishing;
-  return {words,
+  return {"",
           canonical_text(lhs),
           canonical_text(rhs),
           decision.identical,
@@ -30,7 +30,7 @@ ExactIdentity rational_identity(const std::string& words, const ex& lhs, const e
           std::make_shared<WrittenIdentity>(WrittenIdentity{{}, {{"", lhs, rhs}}})};
 }
 
-/// Decides one statement and its wrong variants, line by line.
+/// Decides the statements of a section and their wrong variants, line by line.
 class StatementReader : private ExpressionMeaning {
  public:
   /// `symbols`: the names that are symbols; `place` is always the current line.
@@ -47,29 +47,36 @@ class StatementReader : private ExpressionMeaning {
     }
   }
 
-  DecidedStatement statement() {
-    DecidedStatement result{section_.id, {}, {}};
-    for (const Line& line : section_.lines) {
-      if (line.keyword == "says") result.identity = decided(line.rest);
-    }
-    if (result.identity.statement.empty()) refuse("a statement has words", section_.id);
+  std::vector<DecidedStatement> statements() {
+    decide();
+    if (parts_.empty()) refuse("a statement has words", section_.id);
+    std::vector<DecidedStatement> all;
+    for (const Part& part : parts_) all.push_back({id_of(part), part.as(part.words), {}, part.decides});
     const std::map<std::string, ex> right = values_;
     for (const Line& line : section_.lines) {
       if (line.keyword != "wrong") continue;
       place_ = line.place;
-      const auto parts = cut(line.rest, " :: ");
-      if (!parts) refuse("a wrong variant says what it changes", line.rest);
+      const auto sides = cut(line.rest, " :: ");
+      if (!sides) refuse("a wrong variant says what it changes", line.rest);
       values_ = right;
       std::map<std::string, ex> changes;
-      for (const std::string& change : split(parts->second)) {
-        const auto sides = cut(change, " = ");
-        if (!sides || !right.contains(sides->first)) refuse("a wrong variant changes what `let` gives", change);
-        changes[sides->first] = value(sides->second);
+      for (const std::string& change : split(sides->second)) {
+        const auto parts = cut(change, " = ");
+        if (!parts || !right.contains(parts->first)) refuse("a wrong variant changes what `let` gives", change);
+        changes[parts->first] = value(parts->second);
       }
       changes_ = changes;
-      result.controls.push_back(decided(parts->first));
+      decide();
+      const bool breaks_none = std::ranges::all_of(parts_, [](const Part& part) { return part.as("").identical; });
+      for (std::size_t k = 0; k < all.size(); ++k) {
+        ExactIdentity variant = parts_[k].as(sides->first);
+        if (breaks_none || !variant.identical) all[k].controls.push_back(std::move(variant));
+      }
     }
-    return result;
+    for (const DecidedStatement& one : all) {
+      if (one.controls.empty()) refuse("no wrong variant breaks it", one.id);
+    }
+    return all;
   }
 
  private:
@@ -78,33 +85,59 @@ class StatementReader : private ExpressionMeaning {
     std::string body;
   };
 
-  ExactIdentity decided(const std::string& words) {
-    Comparison comparison(field_);
-    identity_.reset();
-    equations_ = 0;
-    words_ = words;
-    run(0, section_.lines.size(), comparison);
-    return identity_ ? *identity_ : comparison.as(words);
+  /// One line `says` with the equations after it.
+  struct Part {
+    std::string decides, words;
+    Comparison comparison;
+    std::optional<ExactIdentity> rational = {};  ///< the equation that stands alone
+    int equations = 0;
+
+    ExactIdentity as(const std::string& statement) const {
+      if (!rational) return comparison.as(statement);
+      ExactIdentity identity = *rational;
+      identity.statement = statement;
+      return identity;
+    }
+  };
+
+  std::string id_of(const Part& part) const {
+    if (parts_.size() == 1) return section_.id;
+    if (part.decides.empty()) refuse("each of several statements names its fact", part.words);
+    return section_.id + "-" + part.decides.substr(0, part.decides.find('('));
   }
 
-  void run(std::size_t first, std::size_t last, Comparison& comparison) {
+  void decide() {
+    parts_.clear();
+    run(0, section_.lines.size());
+  }
+
+  /// Makes the part current, which may be an earlier one in a loop.
+  void open_part(const std::string& text) {
+    const auto [decides, words] = cut(text, " :: ").value_or(std::pair("", text));
+    current_ = static_cast<std::size_t>(std::ranges::find(parts_, words, &Part::words) - parts_.begin());
+    if (current_ == parts_.size()) parts_.push_back({decides, words, Comparison(field_)});
+  }
+
+  void run(std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
       const auto& [keyword, rest, place] = section_.lines[k];
       place_ = place;
       if (keyword == "let") {
         for (const std::string& definition : split(rest)) define(definition);
       } else if (keyword == "equal") {
-        add_equation(rest, comparison);
+        add_equation(rest);
       } else if (keyword == "for") {
         const std::size_t end = end_of_loop(k);
         const auto sides = cut(rest, " = ");
         if (!sides) refuse("`for` gives values", rest);
         for (const ex& item : items(sides->second)) {
           values_[sides->first] = item;
-          run(k + 1, end, comparison);
+          run(k + 1, end);
         }
         k = end;
-      } else if (keyword != "says" && keyword != "wrong" && keyword != "field") {
+      } else if (keyword == "says") {
+        open_part(rest);
+      } else if (keyword != "wrong" && keyword != "field") {
         refuse("no such line", keyword + " " + rest);
       }
     }
@@ -133,19 +166,21 @@ class StatementReader : private ExpressionMeaning {
     }
   }
 
-  void add_equation(const std::string& text, Comparison& comparison) {
-    if (!comparison.holds()) return;
+  void add_equation(const std::string& text) {
+    if (parts_.empty()) refuse("a statement has words", section_.id);
+    Part& part = parts_[current_];
+    if (!part.comparison.holds()) return;
     const auto named = cut(text, " :: ");
     const std::vector<std::string> sides = split(named ? named->second : text, " = ", "[");
     if (sides.size() != 2) refuse("an equation has two sides", text);
     const ex lhs = value(sides[0]);
     const ex rhs = value(sides[1]);
-    if (identity_ || (!named && equations_ > 0)) refuse("an equation without a name stands alone", text);
-    ++equations_;
+    if (part.rational || (!named && part.equations > 0)) refuse("an equation without a name stands alone", text);
+    ++part.equations;
     if (named) {
-      comparison.equal(with_values(named->first), lhs, rhs);
+      part.comparison.equal(with_values(named->first), lhs, rhs);
     } else {
-      identity_ = rational_identity(words_, lhs, rhs);
+      part.rational = rational_identity(lhs, rhs);
     }
   }
 
@@ -282,9 +317,8 @@ class StatementReader : private ExpressionMeaning {
   std::map<std::string, ex> values_;
   std::map<std::string, Function> written_;
   std::map<std::string, ex> changes_;  ///< of the current wrong variant
-  std::optional<ExactIdentity> identity_;
-  int equations_ = 0;
-  std::string words_;
+  std::vector<Part> parts_;
+  std::size_t current_ = 0;
 };
 
 /// Returns the section with the definitions before and after it.
@@ -311,7 +345,7 @@ std::vector<DecidedStatement> read_statements(std::string_view text, const Writt
       std::ranges::copy(split(section.id.substr(keyword.size())), std::back_inserter(symbols));
     } else if (!section.lines.empty()) {
       const StatementSection whole = with_definitions(definitions, section);
-      all.push_back(StatementReader(whole, symbols, more, place).statement());
+      std::ranges::move(StatementReader(whole, symbols, more, place).statements(), std::back_inserter(all));
     } else {
       const auto other =
           std::ranges::find_if(decided_elsewhere, [&](const DecidedStatement& s) { return s.id == section.id; });

@@ -2,7 +2,8 @@
 // The format of statements in the texts of this folder. A line without indentation names a statement. Below it:
 //
 //   # a comment
-//   says WORDS                        the statement in words
+//   says FACTS :: WORDS               the statement in words, and the facts of proofs that it decides; without FACTS ::
+//                                     none
 //   field s_l, s_r                    frictions: r(s), cos(s), sin(s), angle(s) and phase(form) then have a meaning
 //   let a = EXPR, f(x) = EXPR         names
 //   for e = 1, -1, 3..7               the lines up to `end` for each value
