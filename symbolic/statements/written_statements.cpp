@@ -87,7 +87,7 @@ class StatementReader : private ExpressionMeaning {
 
   /// One line `says` with the equations after it.
   struct Part {
-    std::string decides, words;
+    std::string name, decides, words;  ///< the name is the word of the first fact
     Comparison comparison;
     std::optional<ExactIdentity> rational = {};  ///< the equation that stands alone
     int equations = 0;
@@ -101,9 +101,7 @@ class StatementReader : private ExpressionMeaning {
   };
 
   std::string id_of(const Part& part) const {
-    if (parts_.size() == 1) return section_.id;
-    if (part.decides.empty()) refuse("each of several statements names its fact", part.words);
-    return section_.id + "-" + part.decides.substr(0, part.decides.find('('));
+    return parts_.size() == 1 ? section_.id : section_.id + "-" + part.name;
   }
 
   void decide() {
@@ -111,11 +109,16 @@ class StatementReader : private ExpressionMeaning {
     run(0, section_.lines.size());
   }
 
-  /// Makes the part current, which may be an earlier one in a loop.
+  /// Begins a statement, or continues the one of the same name.
   void open_part(const std::string& text) {
     const auto [decides, words] = cut(text, " :: ").value_or(std::pair("", text));
-    current_ = static_cast<std::size_t>(std::ranges::find(parts_, words, &Part::words) - parts_.begin());
-    if (current_ == parts_.size()) parts_.push_back({decides, words, Comparison(field_)});
+    const std::string name = decides.empty() ? words : decides.substr(0, decides.find('('));
+    current_ = static_cast<std::size_t>(std::ranges::find(parts_, name, &Part::name) - parts_.begin());
+    if (current_ < parts_.size()) return;
+    if (!parts_.empty() && (decides.empty() || parts_[0].decides.empty())) {
+      refuse("each of several statements names its fact", words);
+    }
+    parts_.push_back({name, decides, words, Comparison(field_)});
   }
 
   void run(std::size_t first, std::size_t last) {

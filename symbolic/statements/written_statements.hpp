@@ -3,7 +3,7 @@
 //
 //   # a comment
 //   says FACTS :: WORDS               the statement in words, and the facts of proofs that it decides; without FACTS ::
-//                                     none
+//                                     none; says WORD continues the statement of the facts with this word
 //   field s_l, s_r                    frictions: r(s), cos(s), sin(s), angle(s) and phase(form) then have a meaning
 //   let a = EXPR, f(x) = EXPR         names
 //   for e = 1, -1, 3..7               the lines up to `end` for each value

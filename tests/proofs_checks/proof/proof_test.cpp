@@ -50,8 +50,8 @@ constexpr std::string_view facts_document = R"(# Numbers
 | odd(three) | identity thirds | nonzero("x - 1") |
 | odd(two) | identity wrong | |
 | odd(five) | identity unknown | |
-| whole(two) | identity thirds | |
-| whole(three) | identity thirds | nonzero("x - 2") |
+| whole(two) | identity sixths | |
+| whole(three) | identity sixths | nonzero("x - 2") |
 | sum(five, two, three) | enclosure adds | x in [0, 2] |
 | sum(five, two, three) | enclosure adds | x in ]2, oo[ |
 | even(five) | enclosure adds | x in [0, 2] |
@@ -88,10 +88,14 @@ ProofText proof_text(std::string text) {
 const CheckedProof* entry(const std::string& id);
 
 Decision identity(const std::string& id) {
+  static const std::map<std::string, std::string> decides{
+      {"halves", "even(two)"}, {"thirds", "odd(three)"}, {"sixths", "whole({two, three})"}};
   if (id == "unknown") return {Truth::unknown};
+  const auto named = decides.find(id);
   return {id == "wrong" ? Truth::no : Truth::yes,
           {"words of " + id},
-          id == "thirds" ? std::vector<std::string>{"x - 1"} : std::vector<std::string>{}};
+          id == "thirds" || id == "sixths" ? std::vector<std::string>{"x - 1"} : std::vector<std::string>{},
+          parse_facts(named == decides.end() ? "" : named->second)};
 }
 
 const Decisions decisions{
@@ -173,7 +177,7 @@ TEST_CASE("signs of formulas; divisors other than those that a fact is said to n
   }
   const CheckedProof other =
       checked("Assumes `nonzero(\"x - 2\")`.\nConcludes `whole(three)`.\n- identity: whole(three)\n");
-  CHECK(other.gap == "thirds holds where x - 1 != 0, and nothing says so");
+  CHECK(other.gap == "sixths holds where x - 1 != 0, and nothing says so");
 }
 
 TEST_CASE("an order that does not follow is a gap: a step rests on those above it alone") {
@@ -211,6 +215,21 @@ TEST_CASE("theories: nothing twice, nothing undeclared, definitions for all thin
   CHECK_THROWS_AS(made(facts, replaced_once(rules, "Gives odd(N).", "Gives odd(C).")), std::logic_error);
   CHECK_THROWS_AS(made(facts, replaced_once(rules, "Gives odd(N).", "")), std::logic_error);
   CHECK_THROWS_AS(made(facts, rules + "\n" + rules), std::logic_error);
+}
+
+TEST_CASE("an identity decides facts of one word, and those that it names alone") {
+  const auto with = [](const std::string& from, const std::string& to) {
+    return made(replaced_once(std::string(facts_document), from, to), theorems_document);
+  };
+  CHECK_THROWS_WITH(with("odd(three) | identity thirds", "odd(three) | identity halves"),
+                    "one identity, two facts: halves, even(two) and odd(three)");
+  for (const auto& [from, to] : {std::pair("even(two) | identity halves", "even(two) | identity fourths"),
+                                 {"even(two) | identity halves | |\n", "even(three) | identity halves | |\n"}}) {
+    const std::string fact = std::string(to).substr(0, std::string(to).find(' '));
+    const Theory theory = with(from, to);
+    CHECK(holds(check_proof(proof_text("Concludes `" + fact + "`.\n- identity: " + fact + "\n"), theory, decisions).gap,
+                "does not say that it decides " + fact));
+  }
 }
 
 TEST_CASE("a theorem that says several things: each from its own needs") {

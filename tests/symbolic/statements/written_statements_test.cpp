@@ -38,6 +38,39 @@ TEST_CASE("a written statement has its words, its equations and its wrong varian
   CHECK_FALSE(all[0].controls[1].identical);
 }
 
+TEST_CASE("several statements of one section: each has its equations, and the wrong variants that break it") {
+  const std::string text = R"(symbols a
+powers
+  let two = 2, three = 3
+  for k = 1, -1
+  says square(a) :: a^2
+  equal {k} :: (k*a)^2 = a^two
+  says cube({a, b}), cube(c) :: a^3
+  equal {k} :: (k*a)^3 = k*a^three
+  end
+  says square
+  equal more :: a^two*a = a^3
+  wrong a^4 :: two = 4
+  wrong a :: two = 1, three = 1
+)";
+  const std::vector<DecidedStatement> all = written_statements(text);
+  REQUIRE(all.size() == 2);
+  CHECK(all[0].id == "powers-square");
+  CHECK(all[0].identity.written->equations.size() == 3);
+  CHECK(all[0].controls.size() == 2);
+  CHECK(all[1].id == "powers-cube");
+  CHECK(all[1].decides == "cube({a, b}), cube(c)");
+  CHECK(all[1].identity.statement == "a^3");
+  REQUIRE(all[1].controls.size() == 1);
+  CHECK(all[1].controls[0].statement == "a");
+  // A variant that breaks none is shown as not refuted; a statement that none breaks is an error.
+  const std::vector<DecidedStatement> idle = written_statements(text + "  wrong nothing :: two = 2\n");
+  CHECK(idle[0].controls.back().identical);
+  CHECK(idle[1].controls.back().identical);
+  CHECK_THROWS_WITH(written_statements(text.substr(0, text.find("  wrong a ::"))),
+                    "statement: line 12: no wrong variant breaks it; powers-cube");
+}
+
 TEST_CASE("statements decided elsewhere take the place that the text gives them") {
   const std::vector<DecidedStatement> all =
       written_statements("first\n" + square + "last\n", {{"last", {}, {}}, {"first", {}, {}}});
