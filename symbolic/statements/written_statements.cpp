@@ -100,9 +100,7 @@ class StatementReader : private ExpressionMeaning {
     }
   };
 
-  std::string id_of(const Part& part) const {
-    return parts_.size() == 1 ? section_.id : section_.id + "-" + part.name;
-  }
+  std::string id_of(const Part& part) const { return parts_.size() == 1 ? section_.id : section_.id + "-" + part.name; }
 
   void decide() {
     parts_.clear();
