@@ -82,7 +82,7 @@ struct InstanceRow {
 
 struct Theory {
   /// Reads the documents. Throws std::logic_error if one does not have this form, if a name is declared twice or not at
-  /// all, or if the number of a word's things differs from its declaration.
+  /// all, if the number of a word's things differs from its declaration, or if an identity decides facts of two words.
   explicit Theory(std::span<const std::string_view> documents);
 
   std::map<std::string, std::pair<Fact, std::string>> words;  ///< each with the variables of its declaration
