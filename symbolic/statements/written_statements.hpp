@@ -11,8 +11,11 @@
 //   wrong WORDS :: a = EXPR, ...      a variant: other values of names that `let` gives; in EXPR all names have their
 //                                     right values
 //
-// A line with deeper indentation continues the line before it. A statement without lines is decided in C++. Other lines
-// without indentation:
+// A line with deeper indentation continues the line before it. Several lines `says` make several statements, each of the
+// equations after it; an id is then the name, a dash and the word of the first fact. A wrong variant is a control of the
+// statements that it breaks. Each statement needs one. A statement without lines is decided in C++.
+//
+// Other lines without indentation:
 //
 //   file equation.txt                 the name of the file that follows; build files write this line
 //   symbols x, e_*                    in the rest of the file x and e_0, e_1, ... are symbols; other names are errors
