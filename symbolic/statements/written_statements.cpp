@@ -49,7 +49,6 @@ class StatementReader : private ExpressionMeaning {
 
   std::vector<DecidedStatement> statements() {
     decide();
-    if (parts_.empty()) refuse("a statement has words", section_.id);
     std::vector<DecidedStatement> all;
     for (const Part& part : parts_) all.push_back({id_of(part), part.as(part.words), {}, part.decides});
     const std::map<std::string, ex> right = values_;
@@ -104,6 +103,13 @@ class StatementReader : private ExpressionMeaning {
 
   void decide() {
     parts_.clear();
+    for (const Line& line : section_.lines) {
+      if (line.keyword != "says") continue;
+      place_ = line.place;
+      open_part(line.rest);
+    }
+    if (parts_.empty()) refuse("a statement has words", section_.id);
+    current_ = parts_.size();
     run(0, section_.lines.size());
   }
 
@@ -168,7 +174,7 @@ class StatementReader : private ExpressionMeaning {
   }
 
   void add_equation(const std::string& text) {
-    if (parts_.empty()) refuse("a statement has words", section_.id);
+    if (current_ == parts_.size()) refuse("an equation stands below the words that it decides", text);
     Part& part = parts_[current_];
     if (!part.comparison.holds()) return;
     const auto named = cut(text, " :: ");

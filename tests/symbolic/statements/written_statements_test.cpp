@@ -90,6 +90,8 @@ TEST_CASE("a text that cannot be read is refused") {
     CHECK_THROWS_WITH(written_statements(text), ("statement: line 10: " + message).c_str());
   }
   CHECK_THROWS_WITH(written_statements("a\n  let b = 1\n"), "statement: line 1: a statement has words; a");
+  CHECK_THROWS_WITH(written_statements("symbols b\na\n  equal b = b\n  says it\n"),
+                    "statement: line 3: an equation stands below the words that it decides; b = b");
   CHECK_THROWS_WITH(written_statements("  says it\n"), "statement: line 1: a line belongs to a statement; says it");
 }
 
