@@ -42,13 +42,23 @@ void write(const SolveOptions& options, const Problem& problem, const Result& re
   warn(problem.file, result.warnings);
 }
 
+/// With --verbose, prints which method has solved the problem, and why it was chosen.
+void explain(const SolveOptions& options, const Problem& problem, const SolutionText& solution) {
+  if (!options.verbose) return;
+  const auto choice = choice_of(options.method, problem.contact, options.certify, options.common.digits);
+  print_message(fmt::format("{}: method {}: {}", problem.file, solution.method,
+                            solution.instead.empty() ? choice.reason : solution.instead));
+}
+
 SolutionText solve_shown(const SolveOptions& options, const Problem& problem, SolutionWanted solution) {
   Solver::Wanted wanted{options.method, std::move(solution), options.variational(), options.certify,
                         false,          options.jobs};
   std::optional<Progress> progress;
   if (takes_variational(options.method, problem.contact, options.certify, options.common.digits))
     wanted.variational.progress = follow(progress.emplace(1));
-  return Solver(std::move(wanted)).solve(problem);
+  SolutionText text = Solver(std::move(wanted)).solve(problem);
+  explain(options, problem, text);
+  return text;
 }
 
 Failure unsolved(const Problem& problem, const SolutionText& solution) {
@@ -70,7 +80,7 @@ ExitCode solve_both_directions(const SolveOptions& options, const Problem& probl
   Output output(options.common.output);
   std::optional<Output> plot = started_plot(options, wanted);
   const Problem turned{problem.contact.with_sliding(opposite(problem.contact.sliding())), problem.file,
-                       problem.measured};
+                       problem.measured, problem.friction_file};
   BothText both{solve_shown(options, problem, wanted), solve_shown(options, turned, wanted), {}};
   for (const auto& [way, solution] : {std::pair(&problem, &both.as_given), {&turned, &both.opposite}}) {
     if (!solution->reason.empty()) throw inapplicable(problem, options.method, solution->reason);
@@ -125,8 +135,9 @@ FollowedLoads solved_steps(const SolveOptions& options, const Problem& problem, 
   wanted.variational.progress = follow(progress);
   Solver solver(std::move(wanted));
   for (const Rational& load : loads) {
-    const Problem loaded{problem.contact.with_load(load), problem.file, problem.measured};
+    const Problem loaded{problem.contact.with_load(load), problem.file, problem.measured, problem.friction_file};
     LoadStep step{full_number(load, options.common.digits), solver.solve(loaded), {}};
+    explain(options, loaded, step.solution);
     if (options.certify && !steps.empty()) {
       const Rational& before = loads[steps.size() - 1];
       if (before != load)

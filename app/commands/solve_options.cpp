@@ -121,6 +121,7 @@ std::vector<Option> solve_option_list() {
       {problem_argument(),
        {"--method", "METHOD", "auto, closed-form, riemann-hilbert or variational", Option::Kind::text,
         "auto closed-form riemann-hilbert variational"},
+       {"-v,--verbose", "", "Which method was taken, and why, on the standard error output", Option::Kind::flag},
        {"--at", "LIST", "Results at these x, in your units; may lie outside the support"},
        {"--at-file", "FILE", "The same at the x in FILE, one a line; # begins a comment"},
        {"--both-directions", "", "The solution with the indenter sliding the other way, too", Option::Kind::flag},
@@ -156,6 +157,7 @@ SolveOptions solve_options(const Given& given) {
   options.at = list(given, "--at");
   options.at_file = given.name("--at-file", "file");
   options.both_directions = given.has("--both-directions");
+  options.verbose = given.has("--verbose");
   options.load_steps = list(given, "--load-steps");
   options.jobs = given.jobs(std::max(1U, std::thread::hardware_concurrency()));
   options.samples = given.count("--samples", 1, 100000).value_or(0);

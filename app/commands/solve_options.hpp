@@ -20,6 +20,7 @@ struct SolveOptions {
   std::string at;  ///< a list; empty if absent
   std::optional<std::string> at_file;
   bool both_directions;
+  bool verbose;
   int samples;             ///< 0 for none
   std::string load_steps;  ///< a list; empty for the load of the file
   unsigned jobs;           ///< number of threads of a proof

@@ -62,6 +62,8 @@ Json indenter(const ContactProblem& problem, const std::optional<MeasuredProfile
                          {"height", exact_text(trend->height)},
                          {"slope", exact_text(trend->slope)}};
     }
+    if (measured->cutoff) json["filter"] = {{"kind", "gauss"}, {"cutoff", exact_text(*measured->cutoff)}};
+    if (measured->interpolation == library::Interpolation::spline) json["interpolate"] = "spline";
   } else if (shape.pieces().size() == 1) {
     json["profile"] = to_string(shape.pieces().front().profile);
   } else {
@@ -74,14 +76,16 @@ Json indenter(const ContactProblem& problem, const std::optional<MeasuredProfile
 }
 
 /// The problem as read: exact, with defaults filled in.
-Json problem_json(const ContactProblem& problem, const std::optional<MeasuredProfile>& measured) {
+Json problem_json(const Problem& read) {
+  const ContactProblem& problem = read.contact;
   Json json;
   json["load"] = exact_text(problem.load());
   if (problem.load_at()) json["load_at"] = exact_text(*problem.load_at());
   json["sliding"] = name_of(problem.sliding());
   json["half_space"] = half_space(problem.elasticity());
   json["friction"] = {{"values", numbers(problem.friction().values())}, {"jumps", numbers(problem.friction().jumps())}};
-  json["indenter"] = indenter(problem, measured);
+  if (read.friction_file) json["friction"]["samples"] = *read.friction_file;
+  json["indenter"] = indenter(problem, read.measured);
   return json;
 }
 
@@ -213,7 +217,7 @@ Json uniqueness_json(const SolutionText& solution) {
 
 /// The beginning of every result.
 Json heading(const Problem& problem) {
-  return {{"schema", 2}, {"version", version}, {"problem", problem_json(problem.contact, problem.measured)}};
+  return {{"schema", 2}, {"version", version}, {"problem", problem_json(problem)}};
 }
 
 /// The end of every result: failed condition, uniqueness and warnings.

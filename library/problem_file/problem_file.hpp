@@ -7,31 +7,20 @@
 #include <string_view>
 
 #include "library/problem_file/document.hpp"
-#include "library/problem_file/profile_trace.hpp"
+#include "library/problem_file/friction_table.hpp"
+#include "library/problem_file/indenter_reader.hpp"
 #include "model/contact_problem.hpp"
 
 namespace steadyslide::library {
-
-inline constexpr std::size_t max_friction_values = 90000;
-inline constexpr std::size_t max_pieces = 50000;
-
-/// The measured profile from which the pieces of a problem were made.
-struct MeasuredProfile {
-  std::string file;  ///< as the problem file writes it
-  std::size_t points;
-  std::string x_unit{};       ///< m, mm, um or nm, the problem's unit of length; empty if absent
-  std::string height_unit{};  ///< the unit of the heights in the file; empty: that of x
-  bool flip = false;          ///< true if heights are given towards the body
-  std::optional<Trend> trend{};
-};
 
 struct Problem {
   ContactProblem contact;
   std::string file;
   std::optional<MeasuredProfile> measured;
+  std::optional<std::string> friction_file{};  ///< the friction table, as the problem file writes its name
 };
 
-/// Reads a trace, too, if the file has samples; its path is relative to `name`. Throws InvalidFile.
+/// Reads a trace and a friction table, too, if the file has samples; their paths are relative to `name`. Throws InvalidFile.
 Problem parse_problem(std::string_view text, const std::string& name);
 
 /// The same for a document that is already parsed. `same_indenter`: null, or a problem with the same [indenter]

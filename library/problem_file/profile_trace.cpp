@@ -3,16 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "library/problem_file/polynomial_parser.hpp"
+#include "library/problem_file/smoothing.hpp"
 #include "library/problem_file/table_reader.hpp"
 #include "library/text/number_format.hpp"
+#include "model/invalid_data.hpp"
+#include "numeric/number/real.hpp"
 
 namespace steadyslide::library {
 namespace {
 
-/// The most bits of all coefficients together: about twice those of 10^6 points with 17 digits each.
+/// The most bits of all points, and of all coefficients, together: about twice those of 10^6 points with 17 digits each.
 constexpr std::size_t most_bits = 1000000000;
 /// The most bits of one sum over a trace. A sum of numbers without a common denominator grows with every point.
 constexpr std::size_t most_sum_bits = 10000;
@@ -49,6 +53,11 @@ class TrendSums {
   Rational count_, x_, y_, xx_, xy_;
 };
 
+struct TracePoint {
+  Rational x;
+  Rational height;
+};
+
 class TraceParser {
  public:
   TraceParser(const std::string& name, const std::optional<Support>& support, const Heights& heights)
@@ -56,53 +65,107 @@ class TraceParser {
 
   ProfileTrace parse(std::string_view text) {
     const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-    pieces_.reserve(std::min(lines, max_trace_points));
+    points_.reserve(std::min(lines, max_trace_points));
     reader_.read(text, [this](std::vector<Rational>& row) { add(std::move(row[0]), heights_.factor * row[1]); });
-    if (points_ < 2) {
-      throw reader_.error("too few points", "a trace has at least 2", fmt::format("{} points", points_));
+    if (points_.size() < 2) {
+      throw reader_.error("too few points", "a trace has at least 2", fmt::format("{} points", points_.size()));
     }
     std::optional<Trend> trend;
     if (heights_.detrend != Detrend::none) {
       trend = sums_.trend(heights_.detrend);
-      take_off(*trend);
+      for (TracePoint& point : points_) point.height -= trend->height + trend->slope * point.x;
     }
-    return {points_, {first_, x_}, std::move(pieces_), std::move(trend)};
+    if (heights_.cutoff) filter(*heights_.cutoff);
+    return {points_.size(), {points_.front().x, points_.back().x}, pieces(), std::move(trend)};
   }
 
  private:
-  void add(Rational x, Rational psi) {
-    if (points_ == max_trace_points) {
+  void add(Rational x, Rational height) {
+    if (points_.size() == max_trace_points) {
       throw reader_.error("too many points", fmt::format("a trace has at most {}", max_trace_points), "more");
     }
-    if (heights_.detrend != Detrend::none) sums_.add(x, psi, heights_.detrend == Detrend::line);
+    if (heights_.detrend != Detrend::none) sums_.add(x, height, heights_.detrend == Detrend::line);
     if (sums_.is_too_long()) {
       throw reader_.error("trace too complicated to detrend", "sums over its numbers are limited in digits", "more");
     }
-    if (points_ == 0) {
-      first_ = x;
-    } else if (x <= x_) {
+    if (!points_.empty() && x <= points_.back().x) {
       throw reader_.error("x: not increasing", "x increases from line to line",
-                          to_string(x) + " after " + to_string(x_));
-    } else if (!support_ || (x > support_->left && x_ < support_->right)) {
-      const Rational slope = (psi - psi_) / (x - x_);
-      Rational height = psi - slope * x;
-      count_bits(bits(x) + bits(slope) + bits(height));
-      pieces_.push_back({support_ ? std::min(x, support_->right) : x, Polynomial({std::move(height), slope})});
+                          to_string(x) + " after " + to_string(points_.back().x));
     }
-    x_ = std::move(x);
-    psi_ = std::move(psi);
-    ++points_;
+    count_bits(bits(x) + bits(height));
+    points_.push_back({std::move(x), std::move(height)});
   }
 
-  void take_off(const Trend& trend) {
-    const Polynomial line({trend.height, trend.slope});
-    bits_ = 0;
-    for (Indenter::Piece& piece : pieces_) {
-      piece.profile = piece.profile - line;
-      std::size_t length = bits(piece.to);
-      for (const Rational& coefficient : piece.profile.coefficients()) length += bits(coefficient);
-      count_bits(length);
+  void filter(const Rational& cutoff) {
+    Rational longest = 0;
+    for (std::size_t i = 1; i < points_.size(); ++i) longest = std::max(longest, distance(i));
+    const Rational whole = points_.back().x - points_.front().x;
+    const auto refuse = [&](bool applies, const char* what, const char* rule, const Rational& limit) {
+      if (!applies) return;
+      throw InvalidData("filter.cutoff", what, fmt::format("{}, {}", rule, to_string(limit)), to_string(cutoff));
+    };
+    refuse(cutoff > whole, "cutoff longer than the trace", "it is at most the length of the trace", whole);
+    refuse(cutoff < 2 * longest, "cutoff too short", "it is at least twice the longest distance between points",
+           2 * longest);
+    std::vector<double> x, heights;
+    for (const TracePoint& point : points_) {
+      x.push_back(in_double(point.x - points_.front().x));
+      heights.push_back(in_double(point.height));
     }
+    heights = gauss_filtered(x, heights, in_double(cutoff));
+    for (std::size_t i = 0; i < points_.size(); ++i) points_[i].height = Rational(finite(heights[i]));
+  }
+
+  std::vector<Indenter::Piece> pieces() {
+    const bool is_spline = heights_.interpolation == Interpolation::spline && points_.size() > 2;
+    const std::vector<double> slopes = is_spline ? slopes_of_spline() : std::vector<double>();
+    std::vector<Indenter::Piece> result;
+    result.reserve(points_.size() - 1);
+    bits_ = 0;
+    for (std::size_t i = 1; i < points_.size(); ++i) {
+      const Rational& x = points_[i].x;
+      if (support_ && (x <= support_->left || points_[i - 1].x >= support_->right)) continue;
+      const Polynomial profile = is_spline ? cubic(i, Rational(slopes[i - 1]), Rational(slopes[i]))
+                                           : Polynomial({points_[i].height - line(i) * x, line(i)});
+      std::size_t length = bits(x);
+      for (const Rational& coefficient : profile.coefficients()) length += bits(coefficient);
+      count_bits(length);
+      result.push_back({support_ ? std::min(x, support_->right) : x, profile});
+    }
+    return result;
+  }
+
+  std::vector<double> slopes_of_spline() const {
+    std::vector<double> distances, lines;
+    for (std::size_t i = 1; i < points_.size(); ++i) {
+      distances.push_back(in_double(distance(i)));
+      if (!std::isnormal(distances.back())) throw out_of_range();
+      lines.push_back(in_double(line(i)));
+    }
+    std::vector<double> slopes = spline_slopes(distances, lines);
+    std::for_each(slopes.begin(), slopes.end(), [this](double slope) { finite(slope); });
+    return slopes;
+  }
+
+  /// Returns the cubic polynomial between the points i - 1 and i with these slopes at its ends.
+  Polynomial cubic(std::size_t i, const Rational& left, const Rational& right) const {
+    const Rational h = distance(i);
+    const Rational bend = (left + right - 2 * line(i)) / h;
+    const Polynomial local({points_[i - 1].height, left, (line(i) - left) / h - bend, bend / h});
+    return local.composed(1, -points_[i - 1].x);
+  }
+
+  Rational distance(std::size_t i) const { return points_[i].x - points_[i - 1].x; }
+  /// Returns the slope of the straight line between the points i - 1 and i.
+  Rational line(std::size_t i) const { return (points_[i].height - points_[i - 1].height) / distance(i); }
+
+  double in_double(const Rational& value) const { return finite(numeric::to_real<double>(value)); }
+  double finite(double value) const {
+    if (!std::isfinite(value)) throw out_of_range();
+    return value;
+  }
+  InvalidFile out_of_range() const {
+    return reader_.error("numbers out of range", "a filter and a spline are computed in double", "beyond it");
   }
 
   void count_bits(std::size_t more) {
@@ -115,10 +178,8 @@ class TraceParser {
   const std::optional<Support>& support_;
   const Heights& heights_;
   TrendSums sums_;
-  std::size_t points_ = 0;
+  std::vector<TracePoint> points_;
   std::size_t bits_ = 0;
-  Rational first_, x_, psi_;
-  std::vector<Indenter::Piece> pieces_;
 };
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "library/solve/method.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -38,13 +40,17 @@ std::ptrdiff_t gaps_in_contact(const ContactProblem& problem, const std::vector<
   });
 }
 
-/// True if the Riemann-Hilbert method is predicted to take more than a second for gaps over concave corners, at 0.1 s
-/// each.
-bool gaps_are_slow(const ContactProblem& problem) {
-  constexpr std::ptrdiff_t slow = 10;
+/// Returns why the Riemann-Hilbert method is predicted to be slower than cells; empty if it is not.
+std::string slow_gaps(const ContactProblem& problem) {
+  constexpr std::ptrdiff_t most_gaps = 10;
   std::vector<Indenter::Break> concave = problem.indenter().breaks();
   std::erase_if(concave, [](const Indenter::Break& b) { return b.wedge >= 0; });
-  return std::ssize(concave) > slow && gaps_in_contact(problem, concave) > slow;
+  if (std::ssize(concave) > most_gaps) {
+    const std::ptrdiff_t gaps = gaps_in_contact(problem, concave);
+    if (gaps > most_gaps)
+      return fmt::format("{} gaps over concave corners in the contact, more than {}", gaps, most_gaps);
+  }
+  return "";
 }
 
 }  // namespace
@@ -57,15 +63,18 @@ Method method_named(std::string_view name) {
                     excerpt(name));
 }
 
-bool takes_variational(Method method, const ContactProblem& problem, bool certify, int digits) {
-  if (method == Method::variational) return true;
-  if (method != Method::automatic) return false;
+Choice choice_of(Method method, const ContactProblem& problem, bool certify, int digits) {
+  if (method != Method::automatic) return {method == Method::variational, "as --method says"};
   // A proof costs as much as 50 digits.
   const numeric::Digits costs = certify ? numeric::Digits::fifty : numeric::Digits::sixteen;
-  if (!numeric::too_many_friction_pieces(problem, costs).empty()) return true;
-  const bool too_much = !numeric::too_many_profile_breaks(problem, costs).empty() ||
-                        numeric::may_have_many_gaps(problem) || (!certify && digits <= 16 && gaps_are_slow(problem));
-  return too_much && !numeric::closed_form<double>(problem).solution;  // all pieces may be the same polynomial
+  if (std::string reason = numeric::too_many_friction_pieces(problem, costs); !reason.empty()) return {true, reason};
+  std::string reason = numeric::too_many_profile_breaks(problem, costs);
+  if (reason.empty() && numeric::may_have_many_gaps(problem))
+    reason = "a gap may open over each of many concave corners";
+  if (reason.empty() && !certify && digits <= 16) reason = slow_gaps(problem);
+  const bool has_formula = !reason.empty() && numeric::closed_form<double>(problem).solution;
+  if (!reason.empty() && !has_formula) return {true, std::move(reason)};  // all pieces may be the same polynomial
+  return {false, "a formula if one applies; no rule asks for cells"};
 }
 
 std::string fallen_back(const std::string& why) {

@@ -17,12 +17,22 @@ enum class Method { automatic, closed_form, riemann_hilbert, variational };
 /// empty).
 Method method_named(std::string_view name);
 
-/// True if the variational method solves this problem: always for Method::variational. Method::automatic chooses it if
-/// the profile has more breaks or the friction has more values than the other methods accept, or than they can prove.
-/// For 16 digits without a proof it also chooses it if the Riemann-Hilbert method is predicted to take more than a
-/// second. That method finds a gap over each concave corner inside the contact, 0.1 s each; a solution on 1024 cells
-/// predicts how many of them double can represent.
-bool takes_variational(Method method, const ContactProblem& problem, bool certify, int digits = 16);
+struct Choice {
+  bool on_cells;       ///< the variational method
+  std::string reason;  ///< the rule that chose, with the number that decided
+};
+
+/// Returns the choice between the variational method and the others: Method::variational always takes it.
+/// Method::automatic takes it if the profile has more breaks or the friction has more values than the other methods
+/// accept, or than they can prove. For 16 digits without a proof it also takes it if the Riemann-Hilbert method is
+/// predicted to take more than a second for gaps. That method finds a gap over each concave corner inside the contact,
+/// 0.1 s each; a solution on 1024 cells predicts how many of them double can represent. On a profile of many pieces it
+/// finds each gap between two zones in a time that grows with the number of pieces; a solution on 4096 cells predicts
+/// how many there are.
+Choice choice_of(Method method, const ContactProblem& problem, bool certify, int digits = 16);
+inline bool takes_variational(Method method, const ContactProblem& problem, bool certify, int digits = 16) {
+  return choice_of(method, problem, certify, digits).on_cells;
+}
 
 /// The rule for the relative error that is wanted of a solution on cells.
 inline constexpr const char* accuracy_rule = "an accuracy is at least 1e-9, and less than 1";

@@ -32,7 +32,7 @@ PanelDensity<R> panel_density(const TractionRepresentation<R>& form, std::size_t
     return value;
   };
   const ContactSet<R>& set = form.set();
-  PanelDensity<R> density{set.panels()[segment], left, right, smooth, R(0)};
+  PanelDensity<R> density{set.panel(segment), left, right, smooth, R(0)};
   for (std::size_t k = segment; k-- > 0 && !set.in_contact(k);) density.gap += set.length(k);
   return density;
 }

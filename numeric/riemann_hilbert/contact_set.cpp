@@ -92,8 +92,10 @@ void ContactSet<R>::refresh() {
     if (contact) contact_segments_.push_back(j);
     intervals_[j] = points_[j].anchor ? *points_[j].anchor : intervals_[j - 1];
   }
+  ends_.clear();
   movable_.clear();
   for (std::size_t j = 0; j < points_.size(); ++j) {
+    if (points_[j].is_end()) ends_.push_back(j);
     if (points_[j].is_movable()) movable_.push_back(j);
   }
   place_points();
@@ -150,7 +152,7 @@ template <Real R>
 std::vector<Panel<R>> ContactSet<R>::panels() const {
   std::vector<Panel<R>> result;
   result.reserve(segments());
-  for (std::size_t k = 0; k < segments(); ++k) result.push_back({x_[k], x_[k + 1], lengths_[k]});
+  for (std::size_t k = 0; k < segments(); ++k) result.push_back(panel(k));
   return result;
 }
 

@@ -76,6 +76,7 @@ class ContactSet {
   std::size_t interval(std::size_t k) const { return intervals_[k]; }
   /// Returns xi of point j.
   const R& x(std::size_t j) const { return x_[j]; }
+  Panel<R> panel(std::size_t k) const { return {x_[k], x_[k + 1], lengths_[k]}; }
   std::vector<Panel<R>> panels() const;
 
   /// Returns the runs of neighbouring segments that are all in contact or all without contact: first segment and the
@@ -86,6 +87,8 @@ class ContactSet {
   const std::vector<std::size_t>& contact_segments() const { return contact_segments_; }
   /// Returns the points where contact begins, or ends, from left to right.
   std::vector<std::size_t> all(Kind kind) const;
+  /// Returns both, from left to right.
+  const std::vector<std::size_t>& ends() const { return ends_; }
   /// Returns the movable ends.
   const std::vector<std::size_t>& movable() const { return movable_; }
   /// Returns `start` plus the lengths of the segments first..end-1; many segments are summed in blocks.
@@ -148,6 +151,7 @@ class ContactSet {
   std::vector<char> contact_;
   std::vector<std::size_t> contact_segments_;
   std::vector<std::size_t> intervals_;
+  std::vector<std::size_t> ends_;
   std::vector<std::size_t> movable_;
   std::vector<R> x_;
   R span_length_ = 0;

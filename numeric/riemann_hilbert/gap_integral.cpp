@@ -159,16 +159,20 @@ template <Real R>
 R GapIntegral<R>::profile_increment(const SurfacePoint<R>& at) const {
   const RoundedProblem<R>& problem = form_->problem();
   const auto segment = static_cast<std::size_t>(at.segment);
-  const auto rise = [&](std::size_t k, const R& from, const R& length) {
-    return problem.profile_increment(form_->slope_at(k), from, length);
+  const bool rightwards = is_rightwards(at);
+  const auto rise = [&](std::size_t k, const R& from, const R& length) -> R {
+    const R height = problem.profile_increment(form_->slope_at(k), from, length);
+    return rightwards ? step(k) + height : -(step(k + 1) + height);
   };
-  R sum = form_->tilt() * form_->distance(at, end_);
-  if (end_ <= segment) {
-    for (std::size_t k = end_; k < segment; ++k) sum += step(k) + rise(k, set().x(k), set().length(k));
-    return sum + step(segment) + rise(segment, set().x(segment), at.node.from_left);
+  const std::size_t whole = rightwards ? segment - end_ : end_ - 1 - segment;
+  while (profile_rises_.size() < whole) {
+    const std::size_t k = rightwards ? end_ + profile_rises_.size() : end_ - 1 - profile_rises_.size();
+    const R more = rise(k, set().x(k), set().length(k));
+    profile_rises_.push_back(profile_rises_.empty() ? more : R(profile_rises_.back() + more));
   }
-  for (std::size_t k = end_; k-- > segment + 1;) sum -= step(k + 1) + rise(k, set().x(k), set().length(k));
-  return sum - step(segment + 1) - rise(segment, at.node.x, at.node.from_right);
+  const R last =
+      rightwards ? rise(segment, set().x(segment), at.node.from_left) : rise(segment, at.node.x, at.node.from_right);
+  return form_->tilt() * form_->distance(at, end_) + (whole == 0 ? last : R(profile_rises_[whole - 1] + last));
 }
 
 STEADYSLIDE_INSTANTIATE_CLASS(GapIntegral)

@@ -43,6 +43,7 @@ class GapIntegral {
   /// points. Throws std::domain_error outside the support.
   Estimate<R> reduced_gap(const SurfacePoint<R>& at) const;
   /// Returns the tilted profile's height at a point of the gap minus the height at the end, on the side of the contact.
+  /// Sums over whole segments are kept.
   R profile_increment(const SurfacePoint<R>& at) const;
 
  private:
@@ -63,7 +64,9 @@ class GapIntegral {
   const TractionRepresentation<R>* form_;
   std::size_t end_;
   std::optional<StateErrors<R>> errors_;
-  mutable std::vector<Estimate<R>> rises_;  ///< the sums over the first segments, counted from the end
+  // The sums over the first segments, counted from the end: of the gap, and of the profile.
+  mutable std::vector<Estimate<R>> rises_;
+  mutable std::vector<R> profile_rises_;
 };
 
 }  // namespace steadyslide::numeric

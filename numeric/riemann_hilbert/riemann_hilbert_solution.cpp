@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "numeric/cauchy/traction_density.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
@@ -341,6 +342,7 @@ Residuals<R> RiemannHilbertSolution<R>::residuals() const {
 
   // Gaps: compare the profile with the displacement, both measured from the end of contact next to the place.
   R deepest = 0;
+  std::map<std::size_t, GapIntegral<R>> gaps;  // by their ends
   for (std::size_t k = 0; k < contact_set().segments(); ++k) {
     if (contact_set().in_contact(k)) continue;
     std::vector<SurfacePoint<R>> all = form_.profile_extrema(k);
@@ -351,10 +353,11 @@ Residuals<R> RiemannHilbertSolution<R>::residuals() const {
     for (const SurfacePoint<R>& at : all) {
       const std::optional<std::size_t> end = nearest_end(at);
       if (!end) continue;
-      const auto panel = std::find(segments.begin(), segments.end(), contact_set().inside(*end)) - segments.begin();
+      const auto panel =
+          std::lower_bound(segments.begin(), segments.end(), contact_set().inside(*end)) - segments.begin();
       const R distance = abs(form_.distance(at, *end));
       const Side side = opposite(contact_set().contact_side(*end));
-      const R rise = GapIntegral<R>(form_, *end).profile_increment(at);
+      const R rise = gaps.try_emplace(*end, form_, *end).first->second.profile_increment(at);
       deepest = max(deepest, check().penetration(static_cast<std::size_t>(panel), side, distance, rise));
     }
   }

@@ -22,13 +22,12 @@ R RiemannHilbertSolution<R>::shear_ratio(std::size_t segment) const {
 
 template <Real R>
 std::optional<std::size_t> RiemannHilbertSolution<R>::nearest_end(const SurfacePoint<R>& at) const {
+  const std::vector<std::size_t>& ends = contact_set().ends();
+  const auto next = std::partition_point(ends.begin(), ends.end(),
+                                         [&at](std::size_t j) { return static_cast<std::ptrdiff_t>(j) <= at.segment; });
   std::optional<std::size_t> left, right;
-  const std::size_t points = contact_set().points().size();
-  for (std::size_t j = 0; j < points; ++j) {
-    if (!contact_set().point(j).is_end()) continue;
-    if (static_cast<std::ptrdiff_t>(j) <= at.segment) left = j;
-    if (static_cast<std::ptrdiff_t>(j) > at.segment && !right) right = j;
-  }
+  if (next != ends.begin()) left = *(next - 1);
+  if (next != ends.end()) right = *next;
   if (!left || !right) return left ? left : right;
   return form_.distance(at, *left) <= -form_.distance(at, *right) ? left : right;
 }

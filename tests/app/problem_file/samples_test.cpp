@@ -117,3 +117,75 @@ TEST_CASE("a trace with units, changed sign and subtracted trend is the measured
   CHECK(steep.code == 1);
   check_holds(steep.err, {"ends of contact: large estimated error"});
 }
+
+TEST_CASE("a filter and a spline are named in the answer, and leave no wedge") {
+  std::string points;
+  for (int k = -40; k <= 40; ++k) {
+    const Rational x(k, 40);
+    points += to_string(x) + "," + to_string(500 * x * x + (k % 2 == 0 ? 1 : -1)) + "\n";
+  }
+  const TemporaryFolder folder{{"rough.csv", points}};
+  const auto samples = [](const std::string& more) {
+    return problem("samples = {file = \"rough.csv\", x_unit = \"mm\", height_unit = \"um\"" + more + "}", "0.01");
+  };
+  const std::string filter = ", filter = {kind = \"gauss\", cutoff = \"0.2\"}", spline = ", interpolate = \"spline\"";
+  const auto wedges = [&](const std::string& more) {
+    return times(out_of(folder.run({"exponents", "-"}, samples(more))), "wedge");
+  };
+  CHECK(wedges("") == 79);
+  CHECK(wedges(filter) > 70);
+  CHECK(wedges(spline) == 0);
+  CHECK(wedges(filter + spline) == 0);
+  const auto solved = [&](const std::string& more) {
+    return json_of(folder.run({"solve", "-", "--format", "json"}, samples(more)));
+  };
+  const Json smooth = solved(filter + spline);
+  const Json& indenter = smooth["problem"]["indenter"];
+  CHECK(keys(indenter) == "support samples points x_unit height_unit filter interpolate");
+  CHECK(indenter["filter"] == Json{{"kind", "gauss"}, {"cutoff", "0.2"}});
+  CHECK(indenter["interpolate"] == "spline");
+  CHECK(smooth["method"] == "riemann-hilbert");
+  // The filter takes the roughness off: one zone is left. The control: without it there are many.
+  CHECK(smooth["contact"].size() == 1);
+  CHECK(solved(spline)["contact"].size() > 1);
+}
+
+TEST_CASE("friction from a table is friction from values and jumps; a measured profile gives the unit") {
+  const TemporaryFolder folder{
+      {"f.csv", "x,f\n-5,0.2\n0,0.5\n"}, {"f_um.csv", "-1000,0.2\n0,0.5\n"}, {"trace.csv", "-1,1/4\n0,0\n1,1/4\n"}};
+  const auto with = [](const std::string& friction, const std::string& samples) {
+    return "load = 1\n[half_space]\npoisson = 0.3\n[friction]\n" + friction + "\n[indenter]\nsamples = " + samples +
+           "\n";
+  };
+  const auto answer = [&](const std::string& friction, const std::string& samples) {
+    return json_of(folder.run({"solve", "-", "--format", "json"}, with(friction, samples)));
+  };
+  const std::string plain = "\"trace.csv\"", in_mm = "{file = \"trace.csv\", x_unit = \"mm\"}";
+  const Json expected = answer("values = [0.2, 0.5]\njumps = [0]", plain);
+  for (const auto& [friction, samples] : {std::pair<std::string, std::string>{"samples = \"f.csv\"", plain},
+                                          {"samples = {file = \"f.csv\"}", in_mm},
+                                          {"samples = {file = \"f.csv\", x_unit = \"mm\"}", in_mm},
+                                          {"samples = {file = \"f_um.csv\", x_unit = \"um\"}", in_mm}}) {
+    CAPTURE(friction);
+    const Json found = answer(friction, samples);
+    CHECK(found["resultants"] == expected["resultants"]);
+    CHECK(found["problem"]["friction"]["values"] == Json{"0.2", "0.5"});
+    CHECK(found["problem"]["friction"]["jumps"] == Json{"0"});
+    CHECK(holds(friction, found["problem"]["friction"]["samples"].get<std::string>()));
+  }
+  CHECK(keys(expected["problem"]["friction"]) == "values jumps");
+}
+
+TEST_CASE("a bad friction table is named with its line") {
+  const TemporaryFolder folder{{"f.csv", "x,f\n-0.5,0.2\n0,0.5\n"}};
+  const std::string flat =
+      "load = 1\n[half_space]\npoisson = 0.3\n[friction]\nsamples = \"f.csv\"\n[indenter]\nprofile = 0\n";
+  check_refused(folder.run({"solve", "-"}, flat),
+                "f.csv:2: x: friction begins inside the support; the first x is at most the left end, -1; -0.5");
+  folder.write("f.csv", "-1,0.2\n0,high\n");
+  check_refused(folder.run({"solve", "-"}, flat),
+                "f.csv:2: f: not a number; a number is written like 2, -0.25, 1e-3 or 1/3; 'high'");
+  folder.write("f.csv", "-1,0.2\n0,-0.5\n");
+  check_refused(folder.run({"solve", "-"}, flat),
+                "f.csv:2: f: negative friction coefficient; a friction coefficient is at least 0; -0.5");
+}

@@ -192,3 +192,64 @@ TEST_CASE("long numbers of a trend are rounded to 20 digits, those without a com
   CHECK(refused.starts_with("t.csv:"));
   CHECK(refused.ends_with(": trace too complicated to detrend; sums over its numbers are limited in digits; more"));
 }
+
+TEST_CASE("a spline goes through all points, and has neither wedges nor steps") {
+  REQUIRE(rc::check([] {
+    const std::vector<TracePoint> points = random_points();
+    const auto trace =
+        parse_trace(text_of(points), "t.csv", std::nullopt, {1, Detrend::none, {}, Interpolation::spline});
+    const std::vector<Rational> found = heights_of(trace, points);
+    for (std::size_t i = 0; i < points.size(); ++i) RC_ASSERT(found[i] == points[i].height);
+    const Indenter spline(trace.range.left, trace.pieces);
+    RC_ASSERT(spline.is_smooth());
+    for (const Indenter::Break& at : spline.breaks()) RC_ASSERT(at.derivative() == 0);
+    for (const Indenter::Piece& piece : spline.pieces()) RC_ASSERT(piece.profile.degree() <= 3);
+    // The control: straight lines have wedges, unless all points lie on one line.
+    const Indenter lines(trace.range.left, parse_trace(text_of(points), "t.csv", std::nullopt).pieces);
+    RC_ASSERT(points.size() == 2 || !lines.is_smooth() || lines.pieces()[0].profile == lines.pieces()[1].profile);
+  }));
+}
+
+TEST_CASE("a spline of two points is their line; a support cuts a spline, and does not change it") {
+  const Heights spline{1, Detrend::none, {}, Interpolation::spline};
+  CHECK(same(parse_trace("0,1/3\n3,1\n", "t.csv", std::nullopt, spline), read_trace("0,1/3\n3,1\n")));
+  const auto whole = parse_trace("-1,0.5\n0,0\n2,1/3\n3,1\n", "t.csv", std::nullopt, spline);
+  const auto cut = parse_trace("-1,0.5\n0,0\n2,1/3\n3,1\n", "t.csv", Support{-0.5_r, 1.5_r}, spline);
+  REQUIRE(cut.pieces.size() == 2);
+  CHECK(cut.pieces[0].profile == whole.pieces[0].profile);
+  CHECK(cut.pieces[1].profile == whole.pieces[1].profile);
+  CHECK(cut.pieces[1].to == 1.5_r);
+}
+
+TEST_CASE("the trend is subtracted before the filter, and filtered heights are joined") {
+  // A line alone: nothing is left of it, although a filter bends a line near its ends.
+  std::string line;
+  for (int k = 0; k <= 20; ++k) line += std::to_string(k) + "," + std::to_string(3 * k + 1) + "\n";
+  const auto detrended = parse_trace(line, "t.csv", std::nullopt, {1, Detrend::line, 8_r});
+  for (const Indenter::Piece& piece : detrended.pieces) CHECK(piece.profile == Polynomial());
+  const auto bent = parse_trace(line, "t.csv", std::nullopt, {1, Detrend::none, 8_r});
+  CHECK(bent.pieces.front().profile(0) > 1.5_r);
+  CHECK(abs(bent.pieces[10].profile(10) - 31) < 1e-13_r);
+  CHECK(bent.points == 21);
+}
+
+TEST_CASE("a cutoff that does not fit the points, and numbers beyond double, are refused") {
+  const auto refused = [](const std::string& text, const Heights& heights) {
+    return thrown_by([&] { parse_trace(text, "t.csv", std::nullopt, heights); });
+  };
+  const std::string text = "0,1\n1,0\n3,5\n8,1\n";
+  CHECK(refused(text, {1, Detrend::none, 8.5_r}) ==
+        "cutoff longer than the trace; it is at most the length of the trace, 8; 8.5");
+  CHECK(refused(text, {1, Detrend::none, 1_r}) ==
+        "cutoff too short; it is at least twice the longest distance between points, 10; 1");
+  CHECK(refused("0,1\n1,0\n3,5\n4,1\n", {1, Detrend::none, 4_r}) == "no error");
+  CHECK(refused("0,1\n1,0\n", {1, Detrend::none, 1_r}) ==
+        "cutoff too short; it is at least twice the longest distance between points, 2; 1");
+  const Heights spline{1, Detrend::none, {}, Interpolation::spline};
+  for (const char* beyond : {"0,1\n1,1e400\n2,0\n", "0,1\n1e-400,2\n2,0\n", "0,1\n1,1e308\n2,-1e308\n"}) {
+    CHECK(refused(beyond, spline) ==
+          "t.csv:3: numbers out of range; a filter and a spline are computed in double; beyond it");
+  }
+  CHECK(refused("0,1\n1,1e400\n2,0\n", {1, Detrend::none, 2_r}) ==
+        "t.csv:3: numbers out of range; a filter and a spline are computed in double; beyond it");
+}
