@@ -183,7 +183,8 @@ SolutionText solution_text(const Problem& problem, const numeric::ContactSolutio
   text.errors = writer.sizes({{"ends", error.ends}, {"traction", error.traction}, {"resultants", error.resultants}});
   text.warnings = warnings(problem, solution);
   const numeric::Residuals<R> residuals = solution.residuals();
-  text.failed_condition = library::failed_condition(solution, residuals, wanted.largest_residual, writer.converged());
+  const double most = wanted.largest_residual.value_or(library::largest_residual_of(problem.contact, solution));
+  text.failed_condition = library::failed_condition(solution, residuals, most, writer.converged());
   writer.tell("residuals");
   text.residuals = writer.sizes(named(residuals));
   text.uniqueness =

@@ -149,8 +149,8 @@ struct SolutionWanted {
   /// Everything is computed in any case.
   std::vector<std::string> entries{};
   /// A state with a larger residual is not a solution. Infinite for a method whose failed_condition() judges its
-  /// residuals itself.
-  double largest_residual = library::largest_residual;
+  /// residuals itself; absent: library::largest_residual_of.
+  std::optional<double> largest_residual{};
 };
 
 /// Sets the ends of contact. `texts` makes texts of numbers with number() and intensity(); `told()` is false if texts

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <concepts>
 
+#include "library/solve/method.hpp"
 #include "library/text/number_format.hpp"
 
 namespace steadyslide::library {
@@ -36,6 +39,14 @@ std::string useless_error(const numeric::EstimatedError<R>& error) {
 }
 
 template <numeric::Real R>
+double largest_residual_of(const ContactProblem& problem, const numeric::ContactSolution<R>& solution) {
+  constexpr double largest_in_double = 1e-6;
+  if (may_take_more_digits(problem) || !std::same_as<R, double>) return largest_residual;
+  const auto error = static_cast<double>(solution.estimated_error().traction);
+  return error > largest_residual ? std::min(error, largest_in_double) : largest_residual;
+}
+
+template <numeric::Real R>
 std::string failed_condition(const numeric::ContactSolution<R>& solution, const numeric::Residuals<R>& residuals,
                              double most_residual, bool converged) {
   if (std::string text = solution.failed_condition(); !text.empty()) return text;
@@ -47,10 +58,11 @@ std::string failed_condition(const numeric::ContactSolution<R>& solution, const 
   return useless_error(solution.estimated_error());
 }
 
-#define STEADYSLIDE_FAILED_CONDITION(R)                                                \
-  template std::vector<NamedError> named(const numeric::EstimatedError<R>&);           \
-  template std::vector<std::pair<std::string, R>> named(const numeric::Residuals<R>&); \
-  template std::string useless_error(const numeric::EstimatedError<R>&);               \
+#define STEADYSLIDE_FAILED_CONDITION(R)                                                           \
+  template double largest_residual_of(const ContactProblem&, const numeric::ContactSolution<R>&); \
+  template std::vector<NamedError> named(const numeric::EstimatedError<R>&);                      \
+  template std::vector<std::pair<std::string, R>> named(const numeric::Residuals<R>&);            \
+  template std::string useless_error(const numeric::EstimatedError<R>&);                          \
   template std::string failed_condition(const numeric::ContactSolution<R>&, const numeric::Residuals<R>&, double, bool)
 STEADYSLIDE_FAILED_CONDITION(double);
 STEADYSLIDE_FAILED_CONDITION(numeric::Real50);

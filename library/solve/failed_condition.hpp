@@ -13,6 +13,11 @@ namespace steadyslide::library {
 /// failed_condition().
 inline constexpr double largest_residual = 1e-9;
 
+/// The same for a profile of so many pieces that it is solved in double alone. There the rounding of its polynomials
+/// may leave a larger residual: up to the estimated error of the traction, at most 1e-6.
+template <numeric::Real R>
+double largest_residual_of(const ContactProblem& problem, const numeric::ContactSolution<R>& solution);
+
 /// Limits of estimated errors, relative as in numeric::EstimatedError. Above the first one there is a warning; above
 /// the second one the state is not a solution.
 inline constexpr double large_error = 0.1;

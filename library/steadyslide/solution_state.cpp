@@ -102,7 +102,8 @@ class SolvedIn final : public Solution::State {
     const bool on_cells = dynamic_cast<const numeric::VariationalSolution*>(solution_.get()) != nullptr;
     failed_condition =
         library::failed_condition(*solution_, solution_->residuals(),
-                                  on_cells ? std::numeric_limits<double>::infinity() : library::largest_residual);
+                                  on_cells ? std::numeric_limits<double>::infinity()
+                                           : library::largest_residual_of(contact_problem(of), *solution_));
     if (on_cells && failed_condition.empty() && !is_in_range()) failed_condition = "values out of the range of double";
   }
 

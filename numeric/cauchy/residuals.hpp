@@ -42,12 +42,14 @@ class SurfaceCheck {
     }
     return grid().integral();
   }
-  /// Returns int t over panel k in higher precision than double; absent if the short grid is not suitable.
+  /// Returns int t over panel k; absent in higher precision than double if the short grid is not suitable.
   std::optional<Estimate<R>> panel_integral(std::size_t k) const {
-    if constexpr (!std::same_as<R, double>) {
+    if constexpr (std::same_as<R, double>) {
+      return Estimate<R>{grid().panel_integral(k), R(0)}.widened(16 * epsilon<R>());
+    } else {
       if (short_grid_) return short_grid_->panel_integral(k);
+      return std::nullopt;
     }
-    return std::nullopt;
   }
   /// Returns the largest relative residual of A t = psi'/c (sliding_operator.hpp) over points of every panel, from 1e-6
   /// of its length from one end to 1e-6 from the other. The short grid has two or three points in a panel, not next to

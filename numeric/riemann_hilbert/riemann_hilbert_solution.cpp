@@ -261,9 +261,13 @@ Resultants<R> RiemannHilbertSolution<R>::resultants() const {
 template <Real R>
 const std::vector<Estimate<R>>& RiemannHilbertSolution<R>::loads() const {
   return loads_([this] {
-    const auto load_on = [this](std::size_t segment, std::size_t panel) -> Estimate<R> {
-      if constexpr (!std::same_as<R, double>) {
-        // The samples exist or will be needed soon. Gauss-Jacobi rules for this alone would cost ten times as much.
+    // The samples of the check exist or will be needed soon. In higher precision than double, Gauss-Jacobi rules for
+    // this alone would cost ten times as much; in double, a rule of its own for each of many panels costs more than the
+    // whole solve.
+    constexpr std::size_t many = 1000;
+    const bool samples = !std::same_as<R, double> || contact_set().contact_segments().size() > many;
+    const auto load_on = [this, samples](std::size_t segment, std::size_t panel) -> Estimate<R> {
+      if (samples) {
         if (const auto load = check().panel_integral(panel)) return *load;
       }
       if (!form_.changes_polynomial(segment) && !form_.changes_polynomial(segment + 1)) return form_.load_on(segment);
@@ -316,15 +320,17 @@ std::optional<Estimate<R>> RiemannHilbertSolution<R>::tilt() const {
 
 template <Real R>
 EstimatedError<R> RiemannHilbertSolution<R>::estimated_error() const {
-  EstimatedError<R> worst{max(end_error() / contact_set().span_length(), epsilon<R>()), R(0), R(0)};
-  for (const std::size_t k : contact_set().contact_segments()) {
-    const SurfacePoint<R> at = middle_of(k);
-    const Estimate<R> t = traction(at);
-    if (t.value != 0) worst.traction = max(worst.traction, t.error / abs(t.value));
-  }
-  const Resultants<R> r = resultants();
-  worst.resultants = r.normal.error / r.normal.value;
-  return worst;
+  return estimated_error_([this] {
+    EstimatedError<R> worst{max(end_error() / contact_set().span_length(), epsilon<R>()), R(0), R(0)};
+    for (const std::size_t k : contact_set().contact_segments()) {
+      const SurfacePoint<R> at = middle_of(k);
+      const Estimate<R> t = traction(at);
+      if (t.value != 0) worst.traction = max(worst.traction, t.error / abs(t.value));
+    }
+    const Resultants<R> r = resultants();
+    worst.resultants = r.normal.error / r.normal.value;
+    return worst;
+  });
 }
 
 template <Real R>

@@ -115,6 +115,7 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   TractionRepresentation<R> form_;
   Once<SurfaceCheck<R>> check_;
   Once<Resultants<R>> resultants_;
+  Once<EstimatedError<R>> estimated_error_;
   Once<std::vector<Estimate<R>>> loads_;
   Once<TractionIntegrals<R>> integrals_;
   Once<Estimate<R>> height_at_origin_;

@@ -1,5 +1,6 @@
 #include "numeric/riemann_hilbert/signed_fundamental_solution.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace steadyslide::numeric {
@@ -237,6 +238,30 @@ std::vector<R> SignedFundamentalSolution<R>::distances(const SurfacePoint<R>& at
   for (auto j = static_cast<std::size_t>(at.segment + 1); j < result.size(); ++j) {
     if (static_cast<std::ptrdiff_t>(j) > at.segment + 1) d += set_.length(j - 1);
     result[j] = -d;
+  }
+  return result;
+}
+
+template <Real R>
+std::vector<R> SignedFundamentalSolution<R>::distances_of_ends(const SurfacePoint<R>& at) const {
+  std::vector<R> result(set_.points().size());
+  const std::vector<std::size_t>& ends = set_.ends();
+  const auto middle = std::partition_point(
+      ends.begin(), ends.end(), [&at](std::size_t j) { return static_cast<std::ptrdiff_t>(j) <= at.segment; });
+  R d = at.node.from_left;
+  auto from = static_cast<std::size_t>(std::max<std::ptrdiff_t>(at.segment, 0));
+  for (auto end = middle; end != ends.begin();) {
+    --end;
+    d = set_.sum_of_lengths(*end, from, d);
+    from = *end;
+    result[from] = d;
+  }
+  d = at.node.from_right;
+  from = static_cast<std::size_t>(at.segment + 1);
+  for (auto end = middle; end != ends.end(); ++end) {
+    d = set_.sum_of_lengths(from, *end, d);
+    from = *end;
+    result[from] = -d;
   }
   return result;
 }

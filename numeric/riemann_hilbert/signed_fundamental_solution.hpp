@@ -82,6 +82,8 @@ class SignedFundamentalSolution {
   R distance(const SurfacePoint<R>& at, std::size_t j) const;
   /// Returns x - x_j for all points.
   std::vector<R> distances(const SurfacePoint<R>& at) const;
+  /// Returns the same for the ends of contact, and 0 for the other points. Blocks of segments are summed at once.
+  std::vector<R> distances_of_ends(const SurfacePoint<R>& at) const;
 
  private:
   void assign_components();

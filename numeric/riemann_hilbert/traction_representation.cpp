@@ -163,7 +163,7 @@ Estimate<R> TractionRepresentation<R>::regular_factor_at(std::size_t j, Side sid
 
 template <Real R>
 R TractionRepresentation<R>::error_of_state(const SurfacePoint<R>& at, const StateErrors<R>& errors) const {
-  const std::vector<R> distances = this->distances(at);
+  const std::vector<R> distances = y_->distances_of_ends(at);
   const auto& pivots = y_->pivots();
   // The distance between two points, accurate for any length of the gap between them.
   const auto apart = [&](std::size_t i, std::size_t j) {
