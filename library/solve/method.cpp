@@ -43,6 +43,14 @@ std::ptrdiff_t gaps_in_contact(const ContactProblem& problem, const std::vector<
 /// Returns why the Riemann-Hilbert method is predicted to be slower than cells; empty if it is not.
 std::string slow_gaps(const ContactProblem& problem) {
   constexpr std::ptrdiff_t most_gaps = 10;
+  constexpr std::size_t many_pieces = 1000, most_zones = 10;
+  if (problem.indenter().pieces().size() > many_pieces && problem.indenter().is_smooth()) {
+    const auto rough = numeric::variational_inequality(problem, {.cells = 1024}).solution;
+    const std::size_t zones = rough ? rough->contact().size() : 0;
+    if (zones <= most_zones) return "";
+    return fmt::format("{} contact zones on 1024 cells, more than {}, of a profile of more than {} pieces", zones,
+                       most_zones, many_pieces);
+  }
   std::vector<Indenter::Break> concave = problem.indenter().breaks();
   std::erase_if(concave, [](const Indenter::Break& b) { return b.wedge >= 0; });
   if (std::ssize(concave) > most_gaps) {

@@ -26,9 +26,9 @@ struct Choice {
 /// Method::automatic takes it if the profile has more breaks or the friction has more values than the other methods
 /// accept, or than they can prove. For 16 digits without a proof it also takes it if the Riemann-Hilbert method is
 /// predicted to take more than a second for gaps. That method finds a gap over each concave corner inside the contact,
-/// 0.1 s each; a solution on 1024 cells predicts how many of them double can represent. On a profile of many pieces it
-/// finds each gap between two zones in a time that grows with the number of pieces; a solution on 4096 cells predicts
-/// how many there are.
+/// 0.1 s each; a solution on 1024 cells predicts how many of them double can represent. On a profile of more than 1000
+/// pieces without corners, each change of the contact set costs a time that grows with the number of pieces. There it
+/// takes cells if 1024 of them show more than ten zones.
 Choice choice_of(Method method, const ContactProblem& problem, bool certify, int digits = 16);
 inline bool takes_variational(Method method, const ContactProblem& problem, bool certify, int digits = 16) {
   return choice_of(method, problem, certify, digits).on_cells;

@@ -189,3 +189,18 @@ TEST_CASE("a bad friction table is named with its line") {
   check_refused(folder.run({"solve", "-"}, flat),
                 "f.csv:2: f: negative friction coefficient; a friction coefficient is at least 0; -0.5");
 }
+
+TEST_CASE("a small spline is proved, and -v says which method was taken") {
+  std::string points;
+  for (int k = -5; k < 5; ++k) {
+    const Rational x(2 * k + 1, 9);
+    points += to_string(x) + "," + to_string(x * x + x * x * x / 7) + "\n";
+  }
+  const TemporaryFolder folder{{"ten.csv", points}};
+  const Finished proved = folder.run({"solve", "-", "--certify", "-v"},
+                                     problem("samples = {file = \"ten.csv\", interpolate = \"spline\"}", "0.01"));
+  CHECK(proved.code == 0);
+  check_holds(proved.out, {"proved"});
+  check_holds(proved.err, {"-: method riemann-hilbert: a formula if one applies; no rule asks for cells\n"});
+  CHECK(folder.run({"solve", "-"}, problem("samples = \"ten.csv\"", "0.01")).err == "");
+}
