@@ -79,7 +79,7 @@ std::shared_ptr<RiemannHilbertSolution<double>> search_from_cells(const ContactP
 std::shared_ptr<RiemannHilbertSolution<double>> search_from_nothing(const ContactProblem& problem) {
   const std::size_t pieces = problem.indenter().pieces().size();
   std::vector<std::size_t> cells_per_piece;
-  // Without corners, gaps and zones are not much shorter than pieces.
+  // Gaps and zones of a profile with no corner are not much shorter than its pieces.
   if (pieces > 1000 && problem.indenter().is_smooth()) cells_per_piece.push_back(4);
   if (pieces > 24) cells_per_piece.push_back(32);
   if (pieces > 64) cells_per_piece.push_back(256);
