@@ -45,15 +45,8 @@ void add_displaced(const R& normal, const R& tangential, const R& d, const R& z,
 }  // namespace
 
 template <Real R>
-InteriorStress<R>::InteriorStress(PiecewiseTraction<R> traction) : traction_(std::move(traction)) {
-  const Elasticity& elasticity = traction_.elasticity();
-  if (const auto& body = elasticity.half_space()) {
-    const Rational kolosov = body->kolosov(elasticity.plane());
-    poisson_ = elasticity.plane() == Plane::strain ? to_real<R>(body->poisson()) : R(0);
-    trace_part_ = to_real<R>((3 - kolosov) / 4);
-    rotation_ = to_real<R>((kolosov + 1) / 2);
-    twice_shear_modulus_ = to_real<R>(2 * body->shear_modulus());
-  }
+InteriorStress<R>::InteriorStress(PiecewiseTraction<R> traction)
+    : traction_(std::move(traction)), law_(traction_.elasticity()) {
   TractionNodes<R> nodes;
   for (const TractionPanel<R>& panel : traction_.panels()) {
     first_force_.push_back(forces_.size());
@@ -238,18 +231,9 @@ StressState<R> InteriorStress<R>::state_of(const Sums& sums) const {
     return Estimate<R>{factor * (sums.normal[j] - sums.tangential[of_tangential]),
                        factor * (sums.normal_error[j] + sums.tangential_error[of_tangential])};
   };
-  StressState<R> state{difference(2, 3), difference(0, 1), difference(1, 2), std::nullopt, std::nullopt};
-  if (!traction_.elasticity().half_space()) return state;
-  const Estimate<R> trace = state.xx + state.zz;
-  state.yy = poisson_ * trace;
   const auto sum = [](const std::array<R, 4>& n, const std::array<R, 4>& t) { return n[1] + n[3] + t[0] + t[2]; };
-  const Estimate<R> rotation{rotation_ / pi<R>() * sum(sums.normal, sums.tangential),
-                             rotation_ / pi<R>() * sum(sums.normal_error, sums.tangential_error)};
-  const R& twice_mu = twice_shear_modulus_;
-  state.gradient =
-      DisplacementGradient<R>{(state.xx - trace_part_ * trace) / twice_mu, (state.xz - rotation) / twice_mu,
-                              (state.xz + rotation) / twice_mu, (state.zz - trace_part_ * trace) / twice_mu};
-  return state;
+  return law_.completed(difference(2, 3), difference(0, 1), difference(1, 2),
+                        {sum(sums.normal, sums.tangential), sum(sums.normal_error, sums.tangential_error)});
 }
 
 template <Real R>

@@ -85,10 +85,7 @@ class InteriorStress {
   StressState<R> at(const BodyPoint& point, Sums& sums) const;
 
   PiecewiseTraction<R> traction_;
-  R poisson_ = 0;     ///< sigma_yy/(sigma_xx + sigma_zz)
-  R trace_part_ = 0;  ///< (3-kappa)/4
-  R rotation_ = 0;    ///< (kappa+1)/2
-  R twice_shear_modulus_ = 0;
+  HookesLaw<R> law_;
   std::vector<R> forces_;
   std::vector<std::size_t> first_force_;  ///< for each panel whose traction is not constant
   std::vector<Cell> cells_;
