@@ -58,7 +58,8 @@ class IndenterReader {
     const std::string table = "indenter.samples";
     const std::string file =
         file_field(reader_, table, {"file", "x_unit", "height_unit", "flip", "detrend", "filter", "interpolate"});
-    MeasuredProfile measured{reader_.find(file)->text, 0};
+    const std::string& given = reader_.find(file)->text;
+    MeasuredProfile measured{is_table(given) ? "" : given, 0};
     const Heights heights = file == table ? Heights() : read_heights(table, measured);
     const SampleFile samples = read_samples(reader_, file, file_, "trace");
     ProfileTrace trace =

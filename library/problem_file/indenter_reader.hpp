@@ -13,7 +13,7 @@ inline constexpr std::size_t max_pieces = 50000;
 
 /// The measured profile from which the pieces of a problem were made.
 struct MeasuredProfile {
-  std::string file;  ///< as the problem file writes it
+  std::string file;  ///< as the problem file writes it; empty if the problem file has the points themselves
   std::size_t points;
   std::string x_unit{};       ///< m, mm, um or nm, the problem's unit of length; empty if absent
   std::string height_unit{};  ///< the unit of the heights in the file; empty: that of x

@@ -66,7 +66,8 @@ ReadFriction read_friction(const ProblemReader& reader, const std::string& name,
   }
   const SampleFile samples = read_samples(reader, file, name, "friction table");
   const Support support{indenter.shape.left(), indenter.shape.right()};
-  return {parse_friction_table(samples.text, samples.path, support, unit), reader.find(file)->text};
+  const std::string& given = reader.find(file)->text;
+  return {parse_friction_table(samples.text, samples.path, support, unit), is_table(given) ? "" : given};
 }
 
 /// `whole`: load and friction are required. `same_indenter`: null, or a problem with the same [indenter].

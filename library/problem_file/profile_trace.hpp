@@ -51,7 +51,7 @@ struct ProfileTrace {
   std::optional<Trend> trend{};         ///< the trend that was subtracted
 };
 
-/// The range of the trace is the support if `support` is absent; otherwise the pieces are cut at the ends of the
+/// `name` as in table_reader.hpp. The range of the trace is the support if `support` is absent; otherwise the pieces are cut at the ends of the
 /// support. The caller has to refuse a support that exceeds the range. The pieces of a spline have cubic polynomials
 /// with exact coefficients, with the same values and slopes where they meet. Throws InvalidFile, and InvalidData with
 /// the field "filter.cutoff" if the cutoff does not fit the points.

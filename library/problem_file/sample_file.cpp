@@ -55,6 +55,11 @@ std::string file_field(const ProblemReader& reader, const std::string& field,
 SampleFile read_samples(const ProblemReader& reader, const std::string& field, const std::string& beside,
                         const std::string& kind) {
   const std::string& given = reader.find(field)->text;
+  if (is_table(given)) {
+    const InvalidFile place = reader.error(field, "");
+    const std::string name = beside.empty() ? place.complaint() : place.what();
+    return {name.substr(0, name.size() - 2) + "[]", given};
+  }
   const auto unreadable = [&](const std::string& value) {
     return reader.error(field, "no such " + kind, "it names a file, relative to the problem file", value);
   };

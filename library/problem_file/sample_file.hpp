@@ -22,11 +22,14 @@ Rational unit_ratio(const std::string& from, const std::string& to);
 std::string file_field(const ProblemReader& reader, const std::string& field,
                        std::initializer_list<std::string_view> keys);
 
+/// True for a text of several lines: it is the table itself, not the name of a file.
+inline bool is_table(const std::string& text) { return text.find('\n') != text.npos; }
+
 struct SampleFile {
-  std::string path;
+  std::string path;  ///< for a table inside the problem file "FILE:LINE: FIELD[]", without a problem file "FIELD[]"
   std::string text;
 };
-/// Returns the file that `field` names, relative to the folder of the problem file `beside`, or to the current folder
+/// Returns the table in `field`, or the file that it names, relative to the folder of the problem file `beside`, or to the current folder
 /// for the standard input. `kind` is the noun for the file in messages, "trace".
 SampleFile read_samples(const ProblemReader& reader, const std::string& field, const std::string& beside,
                         const std::string& kind);

@@ -77,7 +77,8 @@ Rational TableReader::number(const std::string& column, std::string_view text) c
 }
 
 InvalidFile TableReader::error_at(std::size_t line, const std::string& what) const {
-  return InvalidFile(fmt::format("{}:{}: {}", name_, line, what));
+  if (!name_.ends_with("[]")) return InvalidFile(fmt::format("{}:{}: {}", name_, line, what));
+  return InvalidFile(fmt::format("{}{}]: {}", name_.substr(0, name_.size() - 1), line - 1, what));
 }
 
 }  // namespace steadyslide::library

@@ -25,6 +25,7 @@ struct TableRules {
 
 class TableReader {
  public:
+  /// `name`: the file, or "FIELD[]" for a table inside a document, which has one row on each line.
   TableReader(std::string name, TableRules rules) : name_(std::move(name)), rules_(std::move(rules)) {}
 
   /// Calls row(numbers) for each row, with one exact number for each column. Throws InvalidFile.
@@ -32,7 +33,7 @@ class TableReader {
 
   /// The line of the current row; after the last row, the last line of the file.
   std::size_t line() const { return line_ == 0 ? 1 : line_; }
-  /// Returns the error "NAME:LINE: what".
+  /// Returns the error "NAME:LINE: what", or "FIELD[LINE - 1]: what".
   InvalidFile error(const std::string& what) const { return error_at(line(), what); }
   InvalidFile error(const std::string& what, const std::string& rule, const std::string& value) const {
     return error(what + "; " + rule + "; " + value);
