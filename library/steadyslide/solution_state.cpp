@@ -9,7 +9,10 @@
 #include "library/solve/failed_condition.hpp"
 #include "library/solve/warnings.hpp"
 #include "library/text/number_format.hpp"
+#include "numeric/interior/interior_displacement.hpp"
 #include "numeric/interior/interior_stress.hpp"
+#include "numeric/interior/largest_stress.hpp"
+#include "numeric/interior/surface_stress.hpp"
 #include "numeric/number/once.hpp"
 #include "numeric/solution/nodal_forces.hpp"
 #include "numeric/variational/variational_solution.hpp"
@@ -149,6 +152,17 @@ class SolvedIn final : public Solution::State {
     return result;
   }
 
+  Residuals residuals() const override {
+    const auto& [equation, load, penetration, tension] = solution_->residuals();
+    const auto number = [](const R& value) { return static_cast<double>(value); };
+    return {number(equation), number(load), number(penetration), number(tension)};
+  }
+
+  EstimatedError estimated_error() const override {
+    const auto& [ends, traction, resultants] = solution_->estimated_error();
+    return {static_cast<double>(ends), static_cast<double>(traction), static_cast<double>(resultants)};
+  }
+
   Resultants resultants() const override {
     return answer::resultants_of<Resultants>(library::SolvedContact<R>(contact_problem(problem), *solution_), number_);
   }
@@ -176,17 +190,49 @@ class SolvedIn final : public Solution::State {
   }
 
   Stress stress(const Rational& x, const Rational& z) const override {
+    if (z == 0) return number_(at_surface(x));
     check_depth(numeric::to_real<R>(z), to_string(z));
     return number_(interior().at(x, z));
   }
 
   std::vector<Stress> stress(std::span<const double> x, std::span<const double> z) const override {
-    for (const double depth : z) check_depth(R(depth), Exact(depth).text());
+    std::vector<R> depths = reals<R>(z);
+    for (R& depth : depths) {
+      // The stress at the surface follows from the traction.
+      if (depth == 0) {
+        depth = 1;
+      } else {
+        check_depth(depth, Exact(static_cast<double>(depth)).text());
+      }
+    }
     std::vector<numeric::StressState<R>> states(x.size());
-    interior().at(reals<R>(x), reals<R>(z), states);
+    interior().at(reals<R>(x), depths, states);
     std::vector<Stress> result;
     result.reserve(states.size());
-    for (const auto& state : states) result.push_back(Numbers<R>{0}(state));
+    for (std::size_t k = 0; k < states.size(); ++k) {
+      if (z[k] == 0) states[k] = at_surface(Rational(x[k]));
+      result.push_back(Numbers<R>{0}(states[k]));
+    }
+    return result;
+  }
+
+  Displacement displacement(const Rational& x, const Rational& z) const override {
+    const numeric::InteriorDisplacement<R>& displacement = displacement_([&] {
+      return numeric::InteriorDisplacement<R>(interior().traction(), contact_problem(problem).origin_of_displacement());
+    });
+    const auto found = displacement.at(x, z);
+    return {number_(found.x), number_(found.z)};
+  }
+
+  LargestStress max_stress(const std::optional<Rational>& depth) const override {
+    const R least = depth ? numeric::to_real<R>(*depth) : numeric::default_depth(*solution_);
+    LargestStress result;
+    for (const Estimate<R>& x : numeric::unbounded_places(*solution_)) result.unbounded_at.push_back(number_(x));
+    result.depth = number_(Estimate<R>{least});
+    const auto largest = numeric::largest_stress(interior(), least);
+    result.von_mises = largest ? number_(largest->von_mises) : Numbers<R>::unknown_number();
+    result.x = largest ? number_(largest->x) : Numbers<R>::unknown_number();
+    result.z = largest ? number_(largest->z) : Numbers<R>::unknown_number();
     return result;
   }
 
@@ -197,6 +243,8 @@ class SolvedIn final : public Solution::State {
     }
     return result;
   }
+
+  AnySolution solution() const override { return solution_.get(); }
 
   ApproximateContact approximate_contact() const override { return solution_->approximate_contact(); }
 
@@ -216,6 +264,10 @@ class SolvedIn final : public Solution::State {
                       "its square is a number of that precision; ask for 50 digits", text);
   }
 
+  numeric::StressState<R> at_surface(const Rational& x) const {
+    return numeric::surface_stress(contact_problem(problem).elasticity(), solution_->details_at(x));
+  }
+
   const numeric::InteriorStress<R>& interior() const {
     return interior_([&] { return numeric::InteriorStress<R>(*solution_); });
   }
@@ -223,6 +275,7 @@ class SolvedIn final : public Solution::State {
   std::shared_ptr<const numeric::ContactSolution<R>> solution_;
   Numbers<R> number_;
   numeric::Once<numeric::InteriorStress<R>> interior_;
+  numeric::Once<numeric::InteriorDisplacement<R>> displacement_;
 };
 
 template <Real R>
@@ -238,7 +291,8 @@ std::shared_ptr<const Solution::State> state_of(const Problem& problem, const nu
 }  // namespace
 
 std::shared_ptr<const Solution::State> solved_state(const Problem& problem, library::Method method, int digits,
-                                                    const numeric::VariationalOptions& variational) {
+                                                    const numeric::VariationalOptions& variational,
+                                                    const Solution::State* start) {
   const ContactProblem& contact = contact_problem(problem);
   const auto on_cells = [&](std::string instead) {
     return state_of<double>(problem, numeric::variational_inequality(contact, variational), method, digits,
@@ -247,7 +301,12 @@ std::shared_ptr<const Solution::State> solved_state(const Problem& problem, libr
   if (library::takes_variational(method, contact, false, digits)) return on_cells({});
   const std::shared_ptr<const Solution::State> found = library::in_precision(
       digits, contact, {},
-      [&]<Real R>() { return state_of<R>(problem, library::attempt<R>(method, contact, nullptr), method, digits); },
+      [&]<Real R>() {
+        const auto* before = dynamic_cast<const SolvedIn<R>*>(start);
+        const auto* solution =
+            before != nullptr ? std::get<const numeric::ContactSolution<R>*>(before->solution()) : nullptr;
+        return state_of<R>(problem, library::attempt<R>(method, contact, solution), method, digits);
+      },
       [](const std::shared_ptr<const Solution::State>& state) {
         return state->failed_condition.empty() && state->is_in_range();
       });

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "library/problem_file/problem_file.hpp"
@@ -25,6 +26,11 @@ inline const ContactProblem& contact_problem(const Problem& problem) { return da
 /// Returns parse_rational() of the text. Throws InvalidData that names `field`.
 Rational rational(const Exact& number, const std::string& field);
 
+/// The solution in the precision that has it.
+using AnySolution =
+    std::variant<const numeric::ContactSolution<double>*, const numeric::ContactSolution<numeric::Real50>*,
+                 const numeric::ContactSolution<numeric::Real100>*>;
+
 /// A solution in one precision, with its numbers as the facade shows them.
 struct Solution::State {
   Problem problem;
@@ -42,21 +48,31 @@ struct Solution::State {
   virtual std::vector<ContactComponent> contact() const = 0;
   virtual std::vector<SolvedPoint> singular_points() const = 0;
   virtual std::vector<UnresolvedGap> unresolved_gaps() const = 0;
+  virtual Residuals residuals() const = 0;
+  virtual EstimatedError estimated_error() const = 0;
   virtual Resultants resultants() const = 0;
   /// Returns displacement, shear slope and load only if `detailed`.
   virtual SurfaceSample at(const Rational& x, bool detailed) const = 0;
   /// Normal and tangential tractions.
   virtual std::pair<std::vector<double>, std::vector<double>> tractions(std::span<const double> x) const = 0;
+  /// z >= 0.
   virtual Stress stress(const Rational& x, const Rational& z) const = 0;
   virtual std::vector<Stress> stress(std::span<const double> x, std::span<const double> z) const = 0;
+  virtual Displacement displacement(const Rational& x, const Rational& z) const = 0;
+  virtual LargestStress max_stress(const std::optional<Rational>& depth) const = 0;
   virtual std::vector<NodalForce> nodal_forces(const Mesh& mesh) const = 0;
   virtual ApproximateContact approximate_contact() const = 0;
+  virtual AnySolution solution() const = 0;
   /// The pressures of the cells in contact, for a solution on cells; otherwise absent.
   virtual std::optional<std::vector<double>> touching_pressures() const = 0;
 };
 
-/// Throws InvalidData if the method does not apply. `digits` also chooses the precision.
+inline const Solution::State& data_of(const Solution& solution) { return *solution.state_; }
+
+/// Throws InvalidData if the method does not apply. `digits` also chooses the precision. `start`: null, or a state from
+/// which the Riemann-Hilbert method starts if it has the same precision.
 std::shared_ptr<const Solution::State> solved_state(const Problem& problem, library::Method method, int digits,
-                                                    const numeric::VariationalOptions& variational);
+                                                    const numeric::VariationalOptions& variational,
+                                                    const Solution::State* start = nullptr);
 
 }  // namespace steadyslide

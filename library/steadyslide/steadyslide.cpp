@@ -75,6 +75,13 @@ std::string problem_text(const ProblemData& data) {
   return text;
 }
 
+Exact exact(const Rational& value) { return library::exact_text(value); }
+std::vector<Exact> exact(const std::vector<Rational>& values) {
+  std::vector<Exact> result;
+  for (const Rational& value : values) result.push_back(exact(value));
+  return result;
+}
+
 /// Returns the limit of the larger size.
 const Number& larger(const Limits& limits) {
   return std::abs(limits.right.value) > std::abs(limits.left.value) ? limits.right : limits.left;
@@ -87,6 +94,17 @@ Number gap_of(const SurfaceSample& sample) {
 void check_finite(const char* field, std::span<const double> values) {
   const auto wrong = std::ranges::find_if_not(values, [](double value) { return std::isfinite(value); });
   if (wrong != values.end()) rational(*wrong, fmt::format("{}[{}]", field, wrong - values.begin()));
+}
+
+Rational depth_of(const Exact& z, const std::string& field) {
+  const Rational depth = rational(z, field);
+  if (depth >= 0) return depth;
+  throw InvalidData(field, field + ": above the surface", "a depth is at least 0", to_string(depth));
+}
+
+void check_materials(const Problem& problem, const std::string& of, const std::string& what) {
+  if (contact_problem(problem).elasticity().half_space()) return;
+  throw InvalidData(of, of + ": " + what, "it needs the half-space's poisson in place of gamma", "gamma");
 }
 
 template <class Ask>
@@ -130,6 +148,13 @@ Problem Problem::from_text(std::string_view text, const std::string& name) {
 
 const std::string& Problem::text() const { return data_->text; }
 const std::string& Problem::name() const { return data_->problem.file; }
+Exact Problem::load() const { return exact(contact_problem(*this).load()); }
+std::vector<Exact> Problem::friction() const { return exact(contact_problem(*this).friction().values()); }
+std::vector<Exact> Problem::jumps() const { return exact(contact_problem(*this).friction().jumps()); }
+std::pair<Exact, Exact> Problem::support() const {
+  const Indenter& indenter = contact_problem(*this).indenter();
+  return {exact(indenter.left()), exact(indenter.right())};
+}
 
 Problem read_problem(const std::string& file) {
   try {
@@ -139,7 +164,7 @@ Problem read_problem(const std::string& file) {
   }
 }
 
-Solution solve(const Problem& problem, const SolveOptions& options) {
+Solution solve(const Problem& problem, const SolveOptions& options, const Solution* start) {
   library::Method method{};
   try {
     method = library::method_named(options.method);
@@ -152,16 +177,20 @@ Solution solve(const Problem& problem, const SolveOptions& options) {
     throw InvalidData("digits", "digits: out of range", library::digits_on_cells, fmt::format("'{}'", options.digits));
   }
   numeric::VariationalOptions variational;
-  if (options.cells) {
-    check("cells", *options.cells, numeric::fewest_cells, numeric::most_cells);
+  const auto take = [&](const char* name, const std::optional<int>& value, int least, int most, auto& option) {
+    if (!value) return;
+    check(name, *value, least, most);
     if (!on_cells) {
-      throw InvalidData("cells", "cells: method without cells",
+      throw InvalidData(name, std::string(name) + ": method without cells",
                         "it goes with the method variational, and with auto where that takes it",
                         library::excerpt(options.method));
     }
-    variational.cells = static_cast<std::size_t>(*options.cells);
-  }
-  return Solution(solved_state(problem, method, options.digits, variational));
+    option = static_cast<std::decay_t<decltype(option)>>(*value);
+  };
+  take("cells", options.cells, numeric::fewest_cells, numeric::most_cells, variational.cells);
+  take("iterations", options.iterations, 1, 10000, variational.most_steps);
+  const Solution::State* before = start != nullptr && start->solved() ? start->state_.get() : nullptr;
+  return Solution(solved_state(problem, method, options.digits, variational, before));
 }
 
 const std::string& Solution::failed_condition() const { return state_->failed_condition; }
@@ -177,6 +206,8 @@ std::vector<std::string> Solution::warnings() const {
 std::vector<ContactComponent> Solution::contact() const { return state_->contact(); }
 std::vector<SolvedPoint> Solution::singular_points() const { return state_->singular_points(); }
 std::vector<UnresolvedGap> Solution::unresolved_gaps() const { return state_->unresolved_gaps(); }
+Residuals Solution::residuals() const { return state_->residuals(); }
+EstimatedError Solution::estimated_error() const { return state_->estimated_error(); }
 Resultants Solution::resultants() const { return state_->resultants(); }
 
 SurfaceSample Solution::at(const Exact& x) const { return state_->at(rational(x, "x"), true); }
@@ -204,9 +235,17 @@ std::vector<double> Solution::slope(std::span<const double> x) const {
 }
 
 Stress Solution::stress(const Exact& x, const Exact& z) const {
-  const Rational depth = rational(z, "z");
-  if (depth <= 0) throw InvalidData("z", "z: not below the surface", "a depth is positive", to_string(depth));
-  return state_->stress(rational(x, "x"), depth);
+  return state_->stress(rational(x, "x"), depth_of(z, "z"));
+}
+
+Displacement Solution::displacement(const Exact& x, const Exact& z) const {
+  check_materials(problem(), "displacement", "no displacement below the surface");
+  return state_->displacement(rational(x, "x"), depth_of(z, "z"));
+}
+
+LargestStress Solution::max_stress(const std::optional<Exact>& depth) const {
+  check_materials(problem(), "max_stress", "no von Mises stress");
+  return state_->max_stress(depth ? std::optional(depth_of(*depth, "depth")) : std::nullopt);
 }
 
 std::vector<Stress> Solution::stress(std::span<const double> x, std::span<const double> z) const {
@@ -216,11 +255,8 @@ std::vector<Stress> Solution::stress(std::span<const double> x, std::span<const 
   }
   check_finite("x", x);
   check_finite("z", z);
-  const auto wrong = std::ranges::find_if(z, [](double depth) { return depth <= 0; });
-  if (wrong != z.end()) {
-    throw InvalidData("z", fmt::format("z[{}]: not below the surface", wrong - z.begin()), "a depth is positive",
-                      Exact(*wrong).text());
-  }
+  const auto wrong = std::ranges::find_if(z, [](double depth) { return depth < 0; });
+  if (wrong != z.end()) depth_of(*wrong, fmt::format("z[{}]", wrong - z.begin()));
   return state_->stress(x, z);
 }
 

@@ -112,6 +112,12 @@ class STEADYSLIDE_API Problem {
   const std::string& text() const;
   /// Returns the name of the file that the problem was read from; empty without a file.
   const std::string& name() const;
+  /// Return the exact data, with the defaults of the problem file: the load, the friction values, the places of their
+  /// jumps, and the left and the right end of the support.
+  Exact load() const;
+  std::vector<Exact> friction() const;
+  std::vector<Exact> jumps() const;
+  std::pair<Exact, Exact> support() const;
 
   struct Data;
 
@@ -174,6 +180,22 @@ using LargestPressure = Resultants::Largest;
 /// From the left end to the right end.
 using Interval = answer::IntervalOf<Number>;
 
+/// The relative residuals of a solution, measured by a rule that is independent of the one that found it
+/// (docs/results.md, "Residuals").
+struct Residuals {
+  double equation = 0;
+  double load = 0;
+  double penetration = 0;
+  double tension = 0;
+};
+
+/// The largest relative errors, as the method estimates them.
+struct EstimatedError {
+  double ends = 0;
+  double traction = 0;
+  double resultants = 0;
+};
+
 /// All quantities at one place of the surface.
 struct SurfaceSample {
   Limits traction;
@@ -183,6 +205,22 @@ struct SurfaceSample {
   Number displacement;     ///< u, zero at x = 0, or at the left end of the support if x = 0 lies outside of it
   Limits shear_slope;      ///< u_t'
   Number cumulative_load;  ///< the load left of x
+};
+
+/// The displacement of a point of the body, u_x along +x and u_z along +z, into the body. No load determines the two
+/// constants of a half-plane: they are 0 at the point of the surface where SurfaceSample::displacement is 0.
+struct Displacement {
+  Number x;
+  Number z;
+};
+
+/// The largest von Mises stress at depths of at least `depth`, and its place.
+struct LargestStress {
+  Number depth;
+  Number von_mises;
+  Number x;
+  Number z;
+  std::vector<Number> unbounded_at;  ///< places of the surface next to which stresses have no bound
 };
 
 /// Stresses at a point of the body. With `gamma` instead of materials, yy, mean, von_mises and the gradient are absent.
@@ -219,9 +257,10 @@ struct Proof {
 };
 
 struct SolveOptions {
-  int digits = 16;              ///< 1 to 100
-  std::string method = "auto";  ///< or closed-form, riemann-hilbert, variational
-  std::optional<int> cells{};   ///< number of cells of the variational method, 16 to 4194304
+  int digits = 16;                  ///< 1 to 100
+  std::string method = "auto";      ///< or closed-form, riemann-hilbert, variational
+  std::optional<int> cells{};       ///< number of cells of the variational method, 16 to 4194304
+  std::optional<int> iterations{};  ///< most steps of its active sets on each mesh, 1 to 10000
 };
 
 /// A solved problem, or the best state that the method reached.
@@ -241,6 +280,8 @@ class STEADYSLIDE_API Solution {
   std::vector<SolvedPoint> singular_points() const;
   /// From left to right.
   std::vector<UnresolvedGap> unresolved_gaps() const;
+  Residuals residuals() const;
+  EstimatedError estimated_error() const;
   Resultants resultants() const;
   // One function for each quantity: effective_friction(), largest_pressure(), ... Each call computes all of them. If you
   // need several, call resultants() once.
@@ -264,12 +305,19 @@ class STEADYSLIDE_API Solution {
   std::vector<double> gap(std::span<const double> x) const;
   std::vector<double> slope(std::span<const double> x) const;
 
-  /// Returns the stress below the surface, z > 0. Throws InvalidData if x or z is not a number, if z <= 0, or if z is
-  /// too small for 16 digits.
+  /// Returns the stress at the depth z >= 0. At z = 0 it is that on the side of the larger pressure, and unknown where it
+  /// has no bound. Throws InvalidData if x or z is not a number, if z < 0, or if z > 0 is too small for 16 digits.
   Stress stress(const Exact& x, const Exact& z) const;
   /// Returns the stresses at many points in double; `digits` of the numbers are empty. Both spans have the same length.
   /// Throws InvalidData as above.
   std::vector<Stress> stress(std::span<const double> x, std::span<const double> z) const;
+  /// Returns the displacement at the depth z >= 0. Throws InvalidData if x or z is not a number, if z < 0, or if the
+  /// problem gives gamma instead of materials.
+  Displacement displacement(const Exact& x, const Exact& z) const;
+  /// Searches the largest von Mises stress at depths of at least `depth`; if it is absent, at all depths, or from a
+  /// hundredth of the contact's width on if stresses have no bound or friction jumps in the contact. A search proves
+  /// nothing. Throws InvalidData if the depth is not a number or negative, or if the problem gives gamma.
+  LargestStress max_stress(const std::optional<Exact>& depth = std::nullopt) const;
   /// Returns one force for each node. Throws InvalidData if the mesh is invalid, or if the contact reaches beyond the
   /// mesh.
   std::vector<NodalForce> nodal_forces(const Mesh& mesh) const;
@@ -280,14 +328,17 @@ class STEADYSLIDE_API Solution {
   struct State;
 
  private:
-  friend STEADYSLIDE_API Solution solve(const Problem& problem, const SolveOptions& options);
+  friend const State& data_of(const Solution& solution);
+  friend STEADYSLIDE_API Solution solve(const Problem& problem, const SolveOptions& options, const Solution* start);
   explicit Solution(std::shared_ptr<const State> state) : state_(std::move(state)) {}
   std::shared_ptr<const State> state_;
 };
 
-/// Solves a problem. For 16 digits it computes in double, and with 50 digits if double is not enough. Throws
+/// Solves a problem. For 16 digits it computes in double, and with 50 digits if double is not enough. `start`: null, or
+/// the solution of a neighbouring problem, from which the Riemann-Hilbert method starts; then it is faster. Throws
 /// InvalidData if an option is out of range, or if the chosen method does not apply.
-STEADYSLIDE_API Solution solve(const Problem& problem, const SolveOptions& options = {});
+STEADYSLIDE_API Solution solve(const Problem& problem, const SolveOptions& options = {},
+                               const Solution* start = nullptr);
 
 /// Returns the places where the traction can be singular, with the exponents. Throws InvalidData unless `digits` is 1
 /// to 100.
