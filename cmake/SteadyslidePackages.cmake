@@ -47,13 +47,6 @@ foreach(component IN LISTS components)
           DESTINATION "${folder}" COMPONENT ${component})
 endforeach()
 
-# The module looks for the library by a relative path, so that the tree can be moved.
-if(python_package)
-  file(WRITE "${PROJECT_BINARY_DIR}/debian/${python_package}" "${python_package}: custom-library-search-path *\n")
-  install(FILES "${PROJECT_BINARY_DIR}/debian/${python_package}"
-          DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/lintian/overrides" COMPONENT python)
-endif()
-
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME steadyslide)
 set(CPACK_PACKAGE_VENDOR steadyslide)
@@ -115,8 +108,8 @@ Headers, archives, and the files by which CMake and pkg-config find them.")
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME "${python_package}")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
-set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${library_package} ${same}, python3, python3-numpy")
-set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-mpmath, python3-matplotlib")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3, python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "gnuplot-nox, python3-mpmath")
 set(CPACK_DEBIAN_PYTHON_DESCRIPTION "${summary} (Python 3)
 ${subject}
 

@@ -1,5 +1,5 @@
-// The part of the Python module that calls the library. Users see bindings/python/steadyslide/__init__.py. All work is done with
-// the interpreter's lock released.
+// The part of the Python module that calls the library. Users see bindings/python/steadyslide/__init__.py. All work is
+// done with the interpreter's lock released.
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -8,6 +8,9 @@
 #include <array>
 #include <steadyslide/steadyslide.hpp>
 #include <tuple>
+
+#include "bindings/python/picture.hpp"
+#include "library/steadyslide/solution_state.hpp"
 
 namespace py = pybind11;
 namespace ss = steadyslide;
@@ -30,6 +33,10 @@ inline auto fields(const PossiblePoint& p) { return std::tie(p.x, p.kind, p.side
 inline auto fields(const SurfaceSample& s) {
   return std::tie(s.traction, s.shear, s.gap, s.slope, s.displacement, s.shear_slope, s.cumulative_load);
 }
+inline auto fields(const Residuals& r) { return std::tie(r.equation, r.load, r.penetration, r.tension); }
+inline auto fields(const EstimatedError& e) { return std::tie(e.ends, e.traction, e.resultants); }
+inline auto fields(const Displacement& d) { return std::tie(d.x, d.z); }
+inline auto fields(const LargestStress& s) { return std::tie(s.depth, s.von_mises, s.x, s.z, s.unbounded_at); }
 inline auto fields(const NodalForce& f) { return std::tie(f.normal, f.tangential); }
 inline auto fields(const Proof& p) { return std::tie(p.proved, p.reason, p.certificate, p.unresolved_gaps); }
 namespace answer {
@@ -127,6 +134,20 @@ py::list stresses(const ss::Solution& solution, const Array& x, const Array& z) 
   return list;
 }
 
+std::vector<std::string> texts_of(const std::vector<ss::Exact>& numbers) {
+  std::vector<std::string> texts;
+  for (const ss::Exact& number : numbers) texts.push_back(number.text());
+  return texts;
+}
+
+py::bytes picture_of(const ss::Solution& solution, const std::string& kind) {
+  const ss::Solution::State& state = data_of(solution);
+  return released([&] {
+    return ss::picture(data_of(solution.problem()).problem, state.solution(), state.digits, state.failed_condition,
+                       kind);
+  });
+}
+
 ss::Problem read_file(const std::string& file) {
   try {
     return released([&] { return ss::read_problem(file); });
@@ -150,13 +171,20 @@ PYBIND11_MODULE(_core, m) {
       .def_static("read", &read_file)
       .def_static("from_text", &ss::Problem::from_text, Released())
       .def_property_readonly("text", &ss::Problem::text)
-      .def_property_readonly("name", &ss::Problem::name);
+      .def_property_readonly("name", &ss::Problem::name)
+      .def_property_readonly("load", [](const ss::Problem& p) { return p.load().text(); })
+      .def_property_readonly("friction", [](const ss::Problem& p) { return texts_of(p.friction()); })
+      .def_property_readonly("jumps", [](const ss::Problem& p) { return texts_of(p.jumps()); })
+      .def_property_readonly("support", [](const ss::Problem& p) {
+        const auto [left, right] = p.support();
+        return texts_of({left, right});
+      });
   m.def("exponents", &ss::exponents, Released());
   m.def("derivation", &ss::derivation, Released());
-  const auto solve = [](const ss::Problem& problem, int digits, const std::string& method, std::optional<int> cells) {
-    return ss::solve(problem, {digits, method, cells});
+  const auto solve = [](const ss::Problem& problem, int digits, const std::string& method, std::optional<int> cells,
+                        std::optional<int> iterations, const ss::Solution* start) {
+    return ss::solve(problem, {digits, method, cells, iterations}, start);
   };
-  m.def("solve", solve, Released());
 
   py::class_<ss::Solution> solution(m, "Solution");
   solution.def_property_readonly("failed_condition", &ss::Solution::failed_condition)
@@ -165,6 +193,8 @@ PYBIND11_MODULE(_core, m) {
       .def("contact", &ss::Solution::contact, Released())
       .def("singular_points", &ss::Solution::singular_points, Released())
       .def("unresolved_gaps", &ss::Solution::unresolved_gaps, Released())
+      .def("residuals", &ss::Solution::residuals, Released())
+      .def("estimated_error", &ss::Solution::estimated_error, Released())
       .def("resultants", &resultants)
       .def(
           "at", [](const ss::Solution& s, const std::string& x) { return s.at(x); }, Released())
@@ -176,6 +206,17 @@ PYBIND11_MODULE(_core, m) {
           },
           Released())
       .def(
+          "displacement",
+          [](const ss::Solution& s, const std::string& x, const std::string& z) { return s.displacement(x, z); },
+          Released())
+      .def(
+          "max_stress",
+          [](const ss::Solution& s, const std::optional<std::string>& depth) {
+            return s.max_stress(depth ? std::optional<ss::Exact>(*depth) : std::nullopt);
+          },
+          Released())
+      .def("picture", &picture_of)
+      .def(
           "nodal_forces",
           [](const ss::Solution& s, const std::vector<std::string>& nodes, int order) {
             return s.nodal_forces({{nodes.begin(), nodes.end()}, order});
@@ -183,4 +224,5 @@ PYBIND11_MODULE(_core, m) {
           Released())
       .def("certify", &ss::Solution::certify, Released());
   for (const OfPlaces& of : of_places) define(solution, of);
+  m.def("solve", solve, Released());
 }

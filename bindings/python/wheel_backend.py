@@ -48,16 +48,12 @@ def cmake(*arguments):
 def module_files(build):
     """Builds the module, and returns the files of its folder: {name: contents}."""
     cmake("-G", "Ninja", "-S", ROOT, "-B", build, "-DCMAKE_BUILD_TYPE=Release", "-DSTEADYSLIDE_BUILD_TESTS=OFF",
-          "-DSTEADYSLIDE_BUILD_PYTHON=ON", "-DSTEADYSLIDE_PYTHON_DIR=.", "-DCMAKE_INSTALL_LIBDIR=steadyslide",
+          "-DSTEADYSLIDE_BUILD_PYTHON=ON", "-DSTEADYSLIDE_PYTHON_DIR=.",
           f"-DPython_EXECUTABLE={os.path.realpath(sys.executable)}")
     cmake("--build", build, "--target", "steadyslide_python")
     with tempfile.TemporaryDirectory() as staging:
-        for component in ("python", "library"):
-            cmake("--install", build, "--strip", "--component", component, "--prefix", staging)
-        files = list(Path(staging, "steadyslide").iterdir())
-        # The library has two names. The module looks for the one that is a link.
-        other_names = {file.resolve() for file in files if file.is_symlink()}
-        return {f"steadyslide/{file.name}": file.read_bytes() for file in files if file not in other_names}
+        cmake("--install", build, "--strip", "--component", "python", "--prefix", staging)
+        return {f"steadyslide/{file.name}": file.read_bytes() for file in Path(staging, "steadyslide").iterdir()}
 
 
 def info_files():

@@ -12,7 +12,7 @@ author = "The steadyslide contributors"
 copyright = "the steadyslide contributors; GPL-3.0-or-later"
 release = os.environ["STEADYSLIDE_VERSION"]
 
-extensions = ["myst_parser", "breathe", "sphinx.ext.autodoc", "typeset", "mend"]
+extensions = ["myst_parser", "breathe", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "typeset", "mend"]
 root_doc = "index"
 highlight_language = "none"
 

@@ -39,8 +39,8 @@ def fields(rows):
 PARTS = [
     ("docs/results.md", "largest pressure is finite | |\n", "| `samples[]`", markdown),
     ("docs/solve.schema.json", '    "resultants": {\n', '    },\n    "sample": {', schema),
-    ("bindings/python/steadyslide/__init__.py", "no such number.\"\"\"\n\n", "\n\nfor _key, ", fields),
-    ("bindings/python/steadyslide/__init__.py", "they are set below the class.\n", "\n    def __init__(self, problem: ", fields),
+    ("bindings/python/steadyslide/_results.py", "no such number.\"\"\"\n\n", "\n\nfor _key, ", fields),
+    ("bindings/python/steadyslide/_solution.py", "they are set below the class.\n", "\n    def __init__(self, problem: ", fields),
 ]
 
 

@@ -53,7 +53,10 @@ def test_places_and_meshes():
     assert refused(lambda: solution.at(None)) == f"x: {TYPE}; NoneType"
     assert refused(lambda: solution.gap([0.5, float("nan")])) == f"x[1]: not a number; {NUMBER}; 'nan'"
     assert refused(lambda: solution.shear([1j])) == f"x: {TYPE}; complex"
-    assert refused(lambda: solution.stress(0, 0)) == "z[0]: not below the surface; a depth is positive; 0"
+    for call in (solution.stress, solution.displacement):
+        assert refused(lambda: call(0, -1)).endswith(": above the surface; a depth is at least 0; -1")
+    assert refused(lambda: solution.stress([0, 0], [1, -0.5])) == "z[1]: above the surface; a depth is at least 0; -0.5"
+    assert refused(lambda: solution.max_stress(-1)) == "depth: above the surface; a depth is at least 0; -1"
     assert refused(lambda: solution.stress(0, "deep")) == f"z: not a number; {NUMBER}; 'deep'"
     assert refused(lambda: solution.nodal_forces([-1, "a"])) == f"nodes[1]: not a number; {NUMBER}; 'a'"
     assert refused(lambda: solution.nodal_forces([-1, 1], order=3)) == "order: wrong order; elements are of order 1 or 2; 3"

@@ -234,14 +234,6 @@ def test_proofs_have_certificates(tmp_path):
     assert float(gap.x) == pytest.approx(0.25, rel=1e-15) and gap.log10_length < -1000
 
 
-def test_plots():
-    axes = ss.Problem(**TILTING).solve().plot()
-    (component,) = ss.Problem(**TILTING).solve().contact
-    pressure, shear = axes.lines[:2]
-    assert component.left.x < min(pressure.get_xdata()) < max(pressure.get_xdata()) < component.right.x
-    assert min(pressure.get_ydata()) > 0 and np.all(np.abs(shear.get_ydata()) <= 0.5 * pressure.get_ydata() * (1 + 1e-12))
-
-
 def test_the_module_says_what_it_is():
     assert ss.__version__.count(".") == 2
     for name in ss.__all__:

@@ -5,6 +5,7 @@ import re
 from decimal import Decimal
 from fractions import Fraction
 from numbers import Integral, Real
+from os import PathLike, fspath
 
 from ._core import InvalidData
 
@@ -26,6 +27,43 @@ def exact(value, field):
     raise InvalidData(f"{field}: wrong type; a number is a string, an integer or a decimal; {type(value).__name__}")
 
 
+def is_array(value):
+    return isinstance(value, (list, tuple)) or getattr(value, "ndim", 0) > 0
+
+
+def is_pair(value):
+    """Returns True for two columns, such as (x, heights)."""
+    return is_array(value) and len(value) == 2 and all(map(is_array, value))
+
+
+def table(columns, field):
+    """Returns two columns of numbers as the text of a file, a row on each line. Raises InvalidData."""
+    x, values = ([exact(number, f"{field}[{k}]") for k, number in enumerate(column)] for column in columns)
+    if len(x) != len(values):
+        raise InvalidData(f"{field}: columns of different lengths; each x has one value; {len(x)} and {len(values)}")
+    return "".join(f"{a},{b}\n" for a, b in zip(x, values)) or "\n"
+
+
+def without_arrays(document):
+    """Returns a document in which text and lists stand for pairs of arrays, and the ends of the friction's edges or None."""
+    indenter, friction, ends = document.get("indenter"), document.get("friction"), None
+    if isinstance(indenter, dict):
+        samples = indenter.get("samples")
+        if is_pair(samples):
+            samples = table(samples, "indenter.samples")
+        elif isinstance(samples, dict) and is_pair(samples.get("file")):
+            samples = samples | {"file": table(samples["file"], "indenter.samples.file")}
+        elif isinstance(samples, PathLike):
+            samples = fspath(samples)
+        document = document | {"indenter": indenter | {"samples": samples}}
+    if is_pair(friction):
+        edges, values = friction
+        if len(edges) == len(values) + 1:
+            ends, edges = (edges[0], edges[-1]), edges[1:-1]
+        document = document | {"friction": {"values": values, "jumps": edges}}
+    return document, ends
+
+
 def quoted(text):
     return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
 
@@ -42,7 +80,7 @@ def toml(value, field=""):
     if isinstance(value, dict):
         entries = (f"{keyed(key)} = {toml(inner, f'{field}.{key}')}" for key, inner in value.items() if inner is not None)
         return "{" + ", ".join(entries) + "}"
-    if isinstance(value, (list, tuple)) or (hasattr(value, "tolist") and getattr(value, "ndim", 0) > 0):
+    if is_array(value):
         return "[" + ", ".join(toml(inner, f"{field}[{k}]") for k, inner in enumerate(value)) + "]"
     return quoted(exact(value, field))
 

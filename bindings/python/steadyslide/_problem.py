@@ -1,0 +1,329 @@
+"""The class Problem."""
+
+import tomllib
+from collections.abc import Iterable, Mapping, Sequence
+from fractions import Fraction
+from os import PathLike
+from typing import Any
+
+import numpy as np
+
+from . import _core, _document
+from ._core import InvalidData
+from ._results import BothDirections, Exact, PossiblePoint, number_of
+from ._solution import Solution
+
+
+class Problem:
+    """An exact contact problem. It cannot be changed.
+
+    Parameters
+    ----------
+    load : number
+        The load P > 0.
+    poisson, young : number
+        The material of the half-plane.
+    plane : {"strain", "stress"}
+        The state of the half-plane.
+    gamma : number
+        The coupling constant, instead of the material.
+    sliding : {"+x", "-x"}
+        The direction in which the indenter slides.
+    load_at : number
+        The place of the load, for an indenter that may tilt.
+    friction : list of numbers, or (edges, values)
+        One value more than there are jumps. As two arrays, values and the places between them; the two ends of the
+        indenter may be edges, too.
+    jumps : list of numbers
+        The places at which the friction jumps.
+    profile : text
+        A polynomial of x, "x^2/2".
+    pieces : list of (to, profile)
+        The profile, piece by piece.
+    samples : (x, heights), path or dict
+        A measured profile: two arrays, or the name of a file, or {"file": ..., "x_unit": ..., ...}, where the file may be
+        two arrays, too.
+    support : [left, right]
+        The ends of the indenter.
+    elastic : dict
+        The material of the indenter, {"poisson": ..., "young": ...}.
+
+    Raises
+    ------
+    InvalidData
+        If the data break a rule. For an array the message gives the index of the number.
+
+    Notes
+    -----
+    All data are exact. Numbers are integers, fractions.Fraction, decimal.Decimal, texts such as "1/3" and floats; a float
+    is the shortest decimal that gives it back. A problem has one of profile, pieces and samples.
+
+    Examples
+    --------
+    >>> import steadyslide as ss
+    >>> p = ss.Problem(load=1, poisson="0.2", friction=["0.1", "0.5"], jumps=[0], profile="0")
+    >>> p.friction
+    [Fraction(1, 10), Fraction(1, 2)]
+    >>> ss.Problem(load=3, poisson="0.48", young=1200, friction=([0], [0.1, 0.5]), samples=([-1, 0, 1], [0.1, 0, 0.1])).support
+    (Fraction(-1, 1), Fraction(1, 1))
+    """
+
+    __slots__ = ("_core",)
+
+    def __init__(self, load: Exact | None = None, poisson: Exact | None = None, young: Exact | None = None,
+                 plane: str | None = None, gamma: Exact | None = None, sliding: str | None = None,
+                 load_at: Exact | None = None, friction: Sequence[Any] | np.ndarray | None = None,
+                 jumps: Sequence[Exact] | np.ndarray | None = None, profile: Exact | None = None,
+                 pieces: Sequence[tuple[Exact, Exact]] | None = None,
+                 samples: str | PathLike[str] | Sequence[Any] | np.ndarray | Mapping[str, Any] | None = None,
+                 support: Sequence[Exact] | np.ndarray | None = None, elastic: Mapping[str, Exact] | None = None) -> None:
+        if isinstance(pieces, (list, tuple)):
+            pieces = [dict(zip(("to", "profile"), piece)) if isinstance(piece, (list, tuple)) else piece for piece in pieces]
+        if _document.is_pair(friction):
+            if jumps is not None:
+                raise InvalidData("friction.jumps: conflicting key; edges and values leave it out; present")
+        else:
+            friction = {"values": friction, "jumps": jumps}
+        self._set({
+            "load": load, "load_at": load_at, "sliding": sliding,
+            "half_space": {"poisson": poisson, "young": young, "plane": plane, "gamma": gamma}, "friction": friction,
+            "indenter": {"support": support, "profile": profile, "pieces": pieces, "samples": samples, "elastic": elastic}})
+
+    def _set(self, document, name=""):
+        document, ends = _document.without_arrays(document)
+        self._core = _core.Problem.from_text(_document.text_of(document), name)
+        if ends and tuple(Fraction(_document.exact(end, "friction")) for end in ends) != self.support:
+            left, right = self._core.support
+            raise InvalidData(f"friction: edges are not the ends of the indenter; they lie between them, or reach from {left} "
+                              f"to {right}; {ends[0]} to {ends[1]}")
+
+    @classmethod
+    def _of(cls, core):
+        problem = object.__new__(cls)
+        problem._core = core
+        return problem
+
+    @classmethod
+    def from_toml(cls, path: str | PathLike[str]) -> "Problem":
+        """Returns the problem of a problem file.
+
+        Parameters
+        ----------
+        path : path
+            The name of the file.
+
+        Raises
+        ------
+        InvalidData
+            "FILE:LINE: what is wrong; the rule; the value".
+        OSError
+            If the file cannot be read: FileNotFoundError, with errno and filename, as of open().
+        """
+        return cls._of(_core.Problem.read(str(path)))
+
+    @classmethod
+    def from_string(cls, text: str, name: str = "") -> "Problem":
+        """Returns the problem of the text of a problem file.
+
+        Parameters
+        ----------
+        text : str
+            The text.
+        name : str
+            The name of the file in messages. A measured profile is searched in its folder.
+
+        Raises
+        ------
+        InvalidData
+            If the text breaks a rule.
+        """
+        return cls._of(_core.Problem.from_text(text, str(name)))
+
+    @property
+    def text(self) -> str:
+        """The problem file of this problem. It contains the arrays, too."""
+        return self._core.text
+
+    @property
+    def name(self) -> str:
+        """The name of the file that the problem was read from; empty without a file."""
+        return self._core.name
+
+    @property
+    def load(self) -> Fraction:
+        """The load, exact."""
+        return Fraction(self._core.load)
+
+    @property
+    def friction(self) -> list[Fraction]:
+        """The friction values from left to right, exact."""
+        return [Fraction(value) for value in self._core.friction]
+
+    @property
+    def jumps(self) -> list[Fraction]:
+        """The places at which the friction jumps, exact."""
+        return [Fraction(place) for place in self._core.jumps]
+
+    @property
+    def support(self) -> tuple[Fraction, Fraction]:
+        """The left and the right end of the indenter, exact."""
+        left, right = self._core.support
+        return Fraction(left), Fraction(right)
+
+    def with_(self, **changes: Any) -> "Problem":
+        """Returns a problem with some data changed.
+
+        Parameters
+        ----------
+        **changes
+            New data. The keywords are their paths in a problem file; None removes a datum. Arrays are taken as by
+            Problem.
+
+        Raises
+        ------
+        InvalidData
+            If a path names no datum, or if the new data break a rule.
+
+        Examples
+        --------
+        >>> import steadyslide as ss
+        >>> p = ss.Problem(load=1, poisson="0.2", friction=["0.1", "0.5"], jumps=[0], profile="0")
+        >>> p.with_(load=2, **{"friction.values[1]": "0.3"}).friction
+        [Fraction(1, 10), Fraction(3, 10)]
+        """
+        document = tomllib.loads(self.text, parse_float=str)
+        for path, value in changes.items():
+            _document.changed(document, path, value)
+        problem = object.__new__(Problem)
+        problem._set(document, self.name)
+        return problem
+
+    def solve(self, digits: int = 16, method: str = "auto", cells: int | None = None, iterations: int | None = None,
+              start: Solution | None = None) -> Solution:
+        """Solves the problem. A solve that does not converge raises nothing: see Solution.solved.
+
+        Parameters
+        ----------
+        digits : int
+            1 to 100. More than 16 give mpmath numbers.
+        method : {"auto", "closed-form", "riemann-hilbert", "variational"}
+            The method.
+        cells, iterations : int
+            The number of cells of the variational method, and the largest number of its steps on each mesh.
+        start : Solution
+            The solution of a neighbouring problem. The Riemann-Hilbert method starts from it, and is then faster.
+
+        Returns
+        -------
+        Solution
+            The solution, or the best state that was reached.
+
+        Raises
+        ------
+        InvalidData
+            If an option is out of range, or if the chosen method does not apply.
+
+        Examples
+        --------
+        >>> import steadyslide as ss
+        >>> s = ss.Problem(load=1, poisson="0.2", friction=["0.1", "0.5"], jumps=[0], profile="0").solve()
+        >>> round(s.effective_friction, 6), s.effective_friction.error < 1e-12
+        (0.282808, True)
+        """
+        return Solution(self, digits, method, cells, iterations, start)
+
+    def solve_both_directions(self, digits: int = 16, method: str = "auto", cells: int | None = None,
+                              iterations: int | None = None) -> BothDirections:
+        """Solves the problem as it is, and with the indenter sliding the other way.
+
+        Parameters
+        ----------
+        digits, method, cells, iterations
+            As for solve().
+
+        Returns
+        -------
+        BothDirections
+            as_given and opposite, two solutions.
+
+        Examples
+        --------
+        >>> import steadyslide as ss
+        >>> p = ss.Problem(load=1, poisson="0.2", friction=["0.1", "0.5"], jumps=[0], profile="0")
+        >>> [round(s.effective_friction, 5) for s in p.solve_both_directions()]
+        [0.28281, 0.31593]
+        """
+        given = tomllib.loads(self.text).get("sliding", "+x")
+        turned = self.with_(sliding="-x" if given == "+x" else "+x")
+        return BothDirections(*(problem.solve(digits, method, cells, iterations) for problem in (self, turned)))
+
+    def load_steps(self, loads: Iterable[Exact], digits: int = 16, method: str = "auto", cells: int | None = None,
+                   iterations: int | None = None) -> list[Solution]:
+        """Solves the problem for one load after the other. Each solve starts from the one before.
+
+        Parameters
+        ----------
+        loads : list of numbers
+            The loads.
+        digits, method, cells, iterations
+            As for solve().
+
+        Returns
+        -------
+        list of Solution
+            One for each load.
+
+        Raises
+        ------
+        InvalidData
+            If a load is not positive, and as solve() does.
+
+        Examples
+        --------
+        >>> import steadyslide as ss
+        >>> p = ss.Problem(load=1, poisson="0.2", friction=["0.3"], pieces=[(0, "-x"), (1, "x")])
+        >>> [len(s.contact) for s in p.load_steps(["0.1", "0.2"])]
+        [1, 1]
+        """
+        steps: list[Solution] = []
+        for load in loads:
+            steps.append(self.with_(load=load).solve(digits, method, cells, iterations, steps[-1] if steps else None))
+        return steps
+
+    def exponents(self, digits: int = 16) -> list[PossiblePoint]:
+        """Returns the places where the traction can be singular, with the exponents.
+
+        Parameters
+        ----------
+        digits : int
+            1 to 100.
+
+        Returns
+        -------
+        list of PossiblePoint
+            From left to right.
+
+        Raises
+        ------
+        InvalidData
+            If digits is out of range.
+        """
+        return [PossiblePoint(x, kind, side, number_of(exponent, digits), symbolic)
+                for x, kind, side, exponent, symbolic in _core.exponents(self._core, digits)]
+
+    def derivation(self) -> str:
+        """Returns the derivation of the exponents, step by step, and of the closed form if there is one."""
+        return _core.derivation(self._core)
+
+    def __repr__(self):
+        text = self.name or ", ".join(self.text.split(chr(10))[:-1])
+        return f"<steadyslide.Problem {text if len(text) <= 500 else text[:500] + '...'}>"
+
+    def __eq__(self, other):
+        return isinstance(other, Problem) and (self.text, self.name) == (other.text, other.name)
+
+    def __hash__(self):
+        return hash((self.text, self.name))
+
+    def __reduce__(self):
+        return Problem.from_string, (self.text, self.name)
