@@ -77,9 +77,10 @@ class Runner:
         tail = "".join(part for name, part in {"half_space": '[half_space]\npoisson = "0.3"\n',
                                                "friction": '[friction]\nvalues = ["0.3"]\n',
                                                "indenter": '[indenter]\nprofile = "0"\n'}.items() if name not in data)
-        samples = data.get("indenter", {}).get("samples")
-        if samples:
-            file = self.work / (samples if isinstance(samples, str) else samples["file"])
+        samples = data.get("indenter", {}).get("samples", {})
+        name = samples if isinstance(samples, str) else samples.get("file")
+        if name and "\n" not in name:
+            file = self.work / name
             if not file.exists():
                 example = folder / file.name
                 shutil.copy(example if example.exists() else folder / "rough_surface.csv", file)

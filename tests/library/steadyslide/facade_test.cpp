@@ -81,6 +81,41 @@ TEST_CASE("load, Coulomb's law and the slope hold") {
   CHECK(std::isnan(solution.gap(2).value));
 }
 
+TEST_CASE("exact data, residuals, and a start from a neighbour") {
+  const Problem problem = parabola("1/3");
+  CHECK(problem.load().text() == "1/3");
+  REQUIRE(problem.friction().size() == 2);
+  CHECK(problem.friction()[1].text() == "0.5");
+  CHECK(problem.jumps()[0].text() == "0.1");
+  CHECK(problem.support().second.text() == "1");
+  const Solution before = solve(parabola("0.32")), cold = solve(problem), warm = solve(problem, {}, &before);
+  CHECK(warm.residuals().equation < 1e-10);
+  CHECK(warm.estimated_error().resultants < 1e-8);
+  const Number one = cold.effective_friction(), other = warm.effective_friction();
+  CHECK(std::abs(one.value - other.value) <= one.error + other.error);
+}
+
+TEST_CASE("displacements and the largest stress") {
+  const Solution solution = solve(parabola());
+  CHECK(solution.displacement(0, 0).x.value == 0);
+  const Number down = solution.displacement("0.9", 0).z, u = solution.at("0.9").displacement;
+  CHECK(std::abs(down.value + u.value) <= down.error + u.error);
+  CHECK(solution.stress("0.2", 0).zz.value == doctest::Approx(solution.traction("0.2").value).epsilon(1e-13));
+  const LargestStress largest = solution.max_stress("0.05");
+  CHECK(largest.z.value >= 0.05);
+  CHECK(largest.von_mises.value ==
+        doctest::Approx(solution.stress(largest.x.value, largest.z.value).von_mises->value).epsilon(1e-12));
+  REQUIRE(largest.unbounded_at.size() == 1);  // the jump, at which friction rises
+  CHECK(largest.unbounded_at[0].value == doctest::Approx(0.1));
+  CHECK(refusal([&] { solution.displacement(0, -1); }) == "z: above the surface; a depth is at least 0; -1");
+  CHECK(refusal([&] { solution.max_stress("-1"); }) == "depth: above the surface; a depth is at least 0; -1");
+  const ProblemData reduced{.load = 1, .friction = {0}, .gamma = "0.2", .profile = "0"};
+  CHECK(refusal([&] {
+          solve(reduced).displacement(0, 1);
+        }).starts_with("displacement: no displacement below the surface; "));
+  CHECK(refusal([&] { solve(parabola(), {.iterations = 3}); }).starts_with("iterations: method without cells; "));
+}
+
 TEST_CASE("resultants belong together") {
   const Resultants of = solve(parabola()).resultants();
   CHECK(of.friction_force.value == doctest::Approx(of.effective_friction.value * of.normal.value));
