@@ -28,6 +28,7 @@
 #include <span>
 
 #include "numeric/interior/force_sums.hpp"
+#include "numeric/interior/hookes_law.hpp"
 #include "numeric/interior/stress_state.hpp"
 #include "numeric/solution/contact_solution.hpp"
 #include "numeric/solution/piecewise_traction.hpp"

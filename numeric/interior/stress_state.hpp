@@ -13,7 +13,6 @@
 #include <cmath>
 #include <optional>
 
-#include "model/elasticity.hpp"
 #include "numeric/number/estimate.hpp"
 
 namespace steadyslide::numeric {
@@ -56,42 +55,6 @@ struct StressState {
     const R value = sqrt(half * half + xz.value * xz.value);
     return {value, (xx.error + zz.error) / 2 + xz.error + 4 * epsilon<R>() * value, xx.convergence};
   }
-};
-
-/// Hooke's law of the half-space (interior_stress.hpp). It finds sigma_yy and the displacement gradient.
-template <Real R>
-class HookesLaw {
- public:
-  explicit HookesLaw(const Elasticity& elasticity) {
-    const auto& body = elasticity.half_space();
-    if (!body) return;
-    known_ = true;
-    const Rational kolosov = body->kolosov(elasticity.plane());
-    poisson_ = elasticity.plane() == Plane::strain ? to_real<R>(body->poisson()) : R(0);
-    trace_part_ = to_real<R>((3 - kolosov) / 4);
-    rotation_ = to_real<R>((kolosov + 1) / 2) / pi<R>();
-    twice_shear_modulus_ = to_real<R>(2 * body->shear_modulus());
-  }
-
-  /// `pi_w`: pi W of force_sums.hpp. For reduced data sigma_yy and the gradient are absent.
-  StressState<R> completed(const Estimate<R>& xx, const Estimate<R>& zz, const Estimate<R>& xz,
-                           const Estimate<R>& pi_w) const {
-    StressState<R> state{xx, zz, xz, std::nullopt, std::nullopt};
-    if (!known_) return state;
-    const Estimate<R> trace = xx + zz, rotation = rotation_ * pi_w;
-    const R& twice_mu = twice_shear_modulus_;
-    state.yy = poisson_ * trace;
-    state.gradient = DisplacementGradient<R>{(xx - trace_part_ * trace) / twice_mu, (xz - rotation) / twice_mu,
-                                             (xz + rotation) / twice_mu, (zz - trace_part_ * trace) / twice_mu};
-    return state;
-  }
-
- private:
-  bool known_ = false;
-  R poisson_ = 0;     ///< sigma_yy/(sigma_xx + sigma_zz)
-  R trace_part_ = 0;  ///< (3-kappa)/4
-  R rotation_ = 0;    ///< (kappa+1)/(2 pi)
-  R twice_shear_modulus_ = 0;
 };
 
 }  // namespace steadyslide::numeric
