@@ -210,6 +210,17 @@ def test_sweeps_have_the_rows_of_single_solves(executor):
         assert np.isnan(row["contact[3].width"])
 
 
+def test_data_that_change_together():
+    base = ss.Problem(**COATINGS)
+    together = ("load", "friction.values[0]")
+    table = ss.sweep(base, {together: [(1, "0.1"), (2, "0.2")], "half_space.poisson": ["0.1", "0.2"]}, iterations=50,
+                     method="variational", cells=64)
+    assert table.dtype.names == (*together, "half_space.poisson", "effective_friction", "failed_condition")
+    assert [tuple(row)[:3] for row in table] == [(1, 0.1, 0.1), (1, 0.1, 0.2), (2, 0.2, 0.1), (2, 0.2, 0.2)]
+    with pytest.raises(ss.InvalidData, match="vary: wrong number of values for "):
+        ss.sweep(base, {together: [(1, "0.1"), 2]})
+
+
 def test_exponents_and_their_derivation():
     problem = ss.Problem(**COATINGS)
     points = problem.exponents(digits=50)

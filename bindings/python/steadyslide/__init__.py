@@ -33,8 +33,9 @@ InvalidData.__module__ = __name__
 InvalidData.__doc__ = "Data that break a rule. The message says what is wrong, the rule, and the value."
 
 
-def sweep(base: Problem, vary: Mapping[str, Sequence[Any]], columns: Iterable[str] = ("effective_friction",),
-          executor: Executor | None = None, digits: int = 16, method: str = "auto", cells: int | None = None) -> np.ndarray:
+def sweep(base: Problem, vary: Mapping[str | tuple[str, ...], Sequence[Any]], columns: Iterable[str] = ("effective_friction",),
+          executor: Executor | None = None, digits: int = 16, method: str = "auto", cells: int | None = None,
+          iterations: int | None = None) -> np.ndarray:
     """Solves every combination of varied data. The first varied datum changes slowest.
 
     Parameters
@@ -42,12 +43,13 @@ def sweep(base: Problem, vary: Mapping[str, Sequence[Any]], columns: Iterable[st
     base : Problem
         The problem with all other data.
     vary : dict
-        Lists of values for paths in a problem file, {"friction.values[1]": ["0.1", "0.2"], ...}.
+        Lists of values for paths in a problem file, {"friction.values[1]": ["0.1", "0.2"], ...}. Data that change together
+        have a tuple of paths, and tuples of values.
     columns : list of str
         Names of results, "load_share[0]", "contact[0].left.x", "largest_pressure.value".
     executor : concurrent.futures.Executor
         By default threads, one for each core.
-    digits, method, cells
+    digits, method, cells, iterations
         As for Problem.solve().
 
     Returns
@@ -69,4 +71,4 @@ def sweep(base: Problem, vary: Mapping[str, Sequence[Any]], columns: Iterable[st
     array([0.1   , 0.2828])
     """
     from ._sweep import sweep as run
-    return run(base, vary, columns, executor, digits, method, cells)
+    return run(base, vary, columns, executor, digits, method, cells, iterations)

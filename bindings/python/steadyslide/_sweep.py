@@ -66,13 +66,26 @@ def values_of(path, values):
     return list(values)
 
 
-def sweep(base, vary, columns, executor, digits, method, cells):
+def changes_of(path, values):
+    """Returns one dict of changed data for each value. Data that change together have a tuple of paths and of values."""
+    paths = path if isinstance(path, tuple) else (path,)
+    changes = []
+    for value in values_of(path, values):
+        row = value if isinstance(path, tuple) else (value,)
+        if not isinstance(row, (tuple, list)) or len(row) != len(paths):
+            raise InvalidData(f"vary: wrong number of values for {path}; data that change together have one value each; {row!r}")
+        changes.append(dict(zip(paths, row)))
+    return changes
+
+
+def sweep(base, vary, columns, executor, digits, method, cells, iterations):
     columns = list(columns)
-    vary = {path: values_of(path, values) for path, values in vary.items()}
     if not vary:
         raise InvalidData("vary: no data; a sweep varies at least one; none")
-    options = (digits, method, cells)
-    tasks = [(base, dict(zip(vary, values)), columns, options) for values in itertools.product(*vary.values())]
+    options = (digits, method, cells, iterations)
+    combinations = itertools.product(*(changes_of(path, values) for path, values in vary.items()))
+    tasks = [(base, {path: value for change in changes for path, value in change.items()}, columns, options)
+             for changes in combinations]
     if not tasks:
         raise InvalidData("vary: no values; each datum has at least one; none")
     if executor is None:
@@ -80,7 +93,7 @@ def sweep(base, vary, columns, executor, digits, method, cells):
             rows = list(threads.map(row, tasks))
     else:
         rows = list(executor.map(row, tasks))
-    data = {path: column_of([changes[path] for _, changes, _, _ in tasks]) for path in vary}
+    data = {path: column_of([changes[path] for _, changes, _, _ in tasks]) for path in tasks[0][1]}
     for k, column in enumerate(columns):
         values = [results[k] for results, _ in rows]
         data[column] = np.array(values, dtype=float if digits <= 16 else object)
