@@ -215,6 +215,9 @@ def test_data_that_change_together():
     together = ("load", "friction.values[0]")
     table = ss.sweep(base, {together: [(1, "0.1"), (2, "0.2")], "half_space.poisson": ["0.1", "0.2"]}, iterations=50,
                      method="variational", cells=64)
+    errors = ss.sweep(base, {"load": [1]}, ["effective_friction_error", "contact.size", "singular_points[0].x_error"])
+    solution = base.solve()
+    assert tuple(errors[0])[1:] == (solution.effective_friction.error, 1, solution.singular_points[0].x.error, "")
     assert table.dtype.names == (*together, "half_space.poisson", "effective_friction", "failed_condition")
     assert [tuple(row)[:3] for row in table] == [(1, 0.1, 0.1), (1, 0.1, 0.2), (2, 0.2, 0.1), (2, 0.2, 0.2)]
     with pytest.raises(ss.InvalidData, match="vary: wrong number of values for "):

@@ -46,7 +46,8 @@ def sweep(base: Problem, vary: Mapping[str | tuple[str, ...], Sequence[Any]], co
         Lists of values for paths in a problem file, {"friction.values[1]": ["0.1", "0.2"], ...}. Data that change together
         have a tuple of paths, and tuples of values.
     columns : list of str
-        Names of results, "load_share[0]", "contact[0].left.x", "largest_pressure.value".
+        Names of results: "load_share[0]", "contact[0].left.x", "largest_pressure.value", "effective_friction_error",
+        "singular_points.size".
     executor : concurrent.futures.Executor
         By default threads, one for each core.
     digits, method, cells, iterations

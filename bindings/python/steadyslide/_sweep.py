@@ -13,7 +13,12 @@ from ._core import InvalidData
 
 
 def result(solution, column):
-    """Returns the result that a column names, for example "contact[0].left.x"; nan if the solution has no such number."""
+    """Returns the result that a column names, nan if the solution has no such number.
+
+    Names are those of the command line: "contact[0].left.x", "effective_friction_error", "singular_points.size".
+    """
+    if column.endswith("_error") and column != "estimated_error":
+        return getattr(result(solution, column.removesuffix("_error")), "error", np.nan)
     value = solution
     for name, index in re.findall(r"([^.\[\]]+)|\[(\d+)\]", column):
         try:
@@ -27,6 +32,8 @@ def result(solution, column):
 
 
 def _named(value, name):
+    if name == "size" and isinstance(value, list):
+        return len(value)
     for owner in (value, getattr(value, "resultants", None)):
         if hasattr(owner, name):
             return getattr(owner, name)
