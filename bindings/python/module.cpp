@@ -182,8 +182,10 @@ PYBIND11_MODULE(_core, m) {
   m.def("exponents", &ss::exponents, Released());
   m.def("derivation", &ss::derivation, Released());
   const auto solve = [](const ss::Problem& problem, int digits, const std::string& method, std::optional<int> cells,
-                        std::optional<int> iterations, const ss::Solution* start) {
-    return ss::solve(problem, {digits, method, cells, iterations}, start);
+                        std::optional<int> iterations, std::optional<double> accuracy,
+                        const std::optional<std::string>& over, const ss::Solution* start) {
+    const auto window = over ? std::optional<ss::Exact>(*over) : std::nullopt;
+    return ss::solve(problem, {digits, method, cells, iterations, accuracy, window}, start);
   };
 
   py::class_<ss::Solution> solution(m, "Solution");

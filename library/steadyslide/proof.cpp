@@ -25,7 +25,9 @@ Proof Solution::certify() const {
   const int first = state_->digits <= 16 ? 16 : state_->digits <= 50 ? 50 : 100;
   std::shared_ptr<const State> state = state_;
   const auto found = [&](int digits) -> std::optional<library::FoundContact> {
-    if (digits > first) state = solved_state(state_->problem, library::method_named(state_->method), digits, {});
+    if (digits > first) {
+      state = solved_state(state_->problem, {library::method_named(state_->method), digits, {}, std::nullopt});
+    }
     return library::FoundContact{state->approximate_contact(), state->failed_condition.empty()};
   };
   const auto proof = library::proved_contact(problem, state_->digits, first, found);

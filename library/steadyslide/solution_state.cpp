@@ -96,10 +96,10 @@ std::vector<R> reals(std::span<const double> x) {
 template <Real R>
 class SolvedIn final : public Solution::State {
  public:
-  SolvedIn(const Problem& of, std::shared_ptr<const numeric::ContactSolution<R>> solution, int its_digits,
+  SolvedIn(const Problem& of, std::shared_ptr<const numeric::ContactSolution<R>> solution, const SolveWanted& wanted,
            std::string of_another)
-      : State(of), solution_(std::move(solution)), number_{its_digits} {
-    digits = its_digits;
+      : State(of), solution_(std::move(solution)), number_{wanted.digits}, over_(wanted.over) {
+    digits = wanted.digits;
     instead = std::move(of_another);
     method = solution_->method();
     const bool on_cells = dynamic_cast<const numeric::VariationalSolution*>(solution_.get()) != nullptr;
@@ -164,7 +164,8 @@ class SolvedIn final : public Solution::State {
   }
 
   Resultants resultants() const override {
-    return answer::resultants_of<Resultants>(library::SolvedContact<R>(contact_problem(problem), *solution_), number_);
+    return answer::resultants_of<Resultants>(library::SolvedContact<R>(contact_problem(problem), *solution_, over_),
+                                             number_);
   }
 
   SurfaceSample at(const Rational& x, bool detailed) const override {
@@ -274,15 +275,16 @@ class SolvedIn final : public Solution::State {
 
   std::shared_ptr<const numeric::ContactSolution<R>> solution_;
   Numbers<R> number_;
+  std::optional<Rational> over_;
   numeric::Once<numeric::InteriorStress<R>> interior_;
   numeric::Once<numeric::InteriorDisplacement<R>> displacement_;
 };
 
 template <Real R>
 std::shared_ptr<const Solution::State> state_of(const Problem& problem, const numeric::Attempt<R>& attempt,
-                                                library::Method method, int digits, std::string instead = {}) {
-  if (attempt.solution) return std::make_shared<SolvedIn<R>>(problem, attempt.solution, digits, std::move(instead));
-  const bool closed = method == library::Method::closed_form;
+                                                const SolveWanted& wanted, std::string instead = {}) {
+  if (attempt.solution) return std::make_shared<SolvedIn<R>>(problem, attempt.solution, wanted, std::move(instead));
+  const bool closed = wanted.method == library::Method::closed_form;
   const std::string& name = data_of(problem).problem.file;
   throw InvalidData(closed ? "method closed-form: no closed form applies; " + attempt.reason
                            : (name.empty() ? "" : name + ": ") + attempt.reason);
@@ -290,27 +292,26 @@ std::shared_ptr<const Solution::State> state_of(const Problem& problem, const nu
 
 }  // namespace
 
-std::shared_ptr<const Solution::State> solved_state(const Problem& problem, library::Method method, int digits,
-                                                    const numeric::VariationalOptions& variational,
+std::shared_ptr<const Solution::State> solved_state(const Problem& problem, const SolveWanted& wanted,
                                                     const Solution::State* start) {
   const ContactProblem& contact = contact_problem(problem);
   const auto on_cells = [&](std::string instead) {
-    return state_of<double>(problem, numeric::variational_inequality(contact, variational), method, digits,
+    return state_of<double>(problem, numeric::variational_inequality(contact, wanted.variational), wanted,
                             std::move(instead));
   };
-  if (library::takes_variational(method, contact, false, digits)) return on_cells({});
+  if (library::takes_variational(wanted.method, contact, false, wanted.digits)) return on_cells({});
   const std::shared_ptr<const Solution::State> found = library::in_precision(
-      digits, contact, {},
+      wanted.digits, contact, {},
       [&]<Real R>() {
         const auto* before = dynamic_cast<const SolvedIn<R>*>(start);
         const auto* solution =
             before != nullptr ? std::get<const numeric::ContactSolution<R>*>(before->solution()) : nullptr;
-        return state_of<R>(problem, library::attempt<R>(method, contact, solution), method, digits);
+        return state_of<R>(problem, library::attempt<R>(wanted.method, contact, solution), wanted);
       },
       [](const std::shared_ptr<const Solution::State>& state) {
         return state->failed_condition.empty() && state->is_in_range();
       });
-  if (found->failed_condition.empty() || !library::may_fall_back(method, digits)) return found;
+  if (found->failed_condition.empty() || !library::may_fall_back(wanted.method, wanted.digits)) return found;
   const std::shared_ptr<const Solution::State> cells = on_cells(library::fallen_back(found->failed_condition));
   return cells->failed_condition.empty() ? cells : found;
 }

@@ -69,10 +69,17 @@ struct Solution::State {
 
 inline const Solution::State& data_of(const Solution& solution) { return *solution.state_; }
 
-/// Throws InvalidData if the method does not apply. `digits` also chooses the precision. `start`: null, or a state from
-/// which the Riemann-Hilbert method starts if it has the same precision.
-std::shared_ptr<const Solution::State> solved_state(const Problem& problem, library::Method method, int digits,
-                                                    const numeric::VariationalOptions& variational,
+/// SolveOptions after they were checked.
+struct SolveWanted {
+  library::Method method;
+  int digits;  ///< also chooses the precision
+  numeric::VariationalOptions variational;
+  std::optional<Rational> over;
+};
+
+/// Throws InvalidData if the method does not apply. `start`: null, or a state from which the Riemann-Hilbert method
+/// starts if it has the same precision.
+std::shared_ptr<const Solution::State> solved_state(const Problem& problem, const SolveWanted& wanted,
                                                     const Solution::State* start = nullptr);
 
 }  // namespace steadyslide

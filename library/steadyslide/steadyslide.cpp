@@ -176,21 +176,40 @@ Solution solve(const Problem& problem, const SolveOptions& options, const Soluti
   if (on_cells && options.digits > 16) {
     throw InvalidData("digits", "digits: out of range", library::digits_on_cells, fmt::format("'{}'", options.digits));
   }
-  numeric::VariationalOptions variational;
+  SolveWanted wanted{method, options.digits, {}, std::nullopt};
+  const auto needs_cells = [&](const char* name) {
+    if (on_cells) return;
+    throw InvalidData(name, std::string(name) + ": method without cells",
+                      "it goes with the method variational, and with auto where that takes it",
+                      library::excerpt(options.method));
+  };
   const auto take = [&](const char* name, const std::optional<int>& value, int least, int most, auto& option) {
     if (!value) return;
     check(name, *value, least, most);
-    if (!on_cells) {
-      throw InvalidData(name, std::string(name) + ": method without cells",
-                        "it goes with the method variational, and with auto where that takes it",
-                        library::excerpt(options.method));
-    }
+    needs_cells(name);
     option = static_cast<std::decay_t<decltype(option)>>(*value);
   };
-  take("cells", options.cells, numeric::fewest_cells, numeric::most_cells, variational.cells);
-  take("iterations", options.iterations, 1, 10000, variational.most_steps);
+  take("cells", options.cells, numeric::fewest_cells, numeric::most_cells, wanted.variational.cells);
+  take("iterations", options.iterations, 1, 10000, wanted.variational.most_steps);
+  if (options.accuracy) {
+    if (!std::isfinite(*options.accuracy) || !library::is_accuracy(Rational(*options.accuracy))) {
+      throw InvalidData("accuracy", "accuracy: out of range", library::accuracy_rule,
+                        fmt::format("'{}'", *options.accuracy));
+    }
+    needs_cells("accuracy");
+    if (options.cells) {
+      throw InvalidData("cells", "cells: conflicting option", "the accuracy chooses the cells", "accuracy");
+    }
+    wanted.variational.accuracy = *options.accuracy;
+  }
+  if (options.over) {
+    wanted.over = rational(*options.over, "over");
+    if (*wanted.over <= 0) {
+      throw InvalidData("over", "over: out of range", "the length of a window is positive", options.over->text());
+    }
+  }
   const Solution::State* before = start != nullptr && start->solved() ? start->state_.get() : nullptr;
-  return Solution(solved_state(problem, method, options.digits, variational, before));
+  return Solution(solved_state(problem, wanted, before));
 }
 
 const std::string& Solution::failed_condition() const { return state_->failed_condition; }

@@ -34,8 +34,7 @@ InvalidData.__doc__ = "Data that break a rule. The message says what is wrong, t
 
 
 def sweep(base: Problem, vary: Mapping[str | tuple[str, ...], Sequence[Any]], columns: Iterable[str] = ("effective_friction",),
-          executor: Executor | None = None, digits: int = 16, method: str = "auto", cells: int | None = None,
-          iterations: int | None = None) -> np.ndarray:
+          executor: Executor | None = None, **options: Any) -> np.ndarray:
     """Solves every combination of varied data. The first varied datum changes slowest.
 
     Parameters
@@ -50,8 +49,8 @@ def sweep(base: Problem, vary: Mapping[str | tuple[str, ...], Sequence[Any]], co
         "singular_points.size".
     executor : concurrent.futures.Executor
         By default threads, one for each core.
-    digits, method, cells, iterations
-        As for Problem.solve().
+    **options
+        Those of Problem.solve().
 
     Returns
     -------
@@ -72,4 +71,4 @@ def sweep(base: Problem, vary: Mapping[str | tuple[str, ...], Sequence[Any]], co
     array([0.1   , 0.2828])
     """
     from ._sweep import sweep as run
-    return run(base, vary, columns, executor, digits, method, cells, iterations)
+    return run(base, vary, columns, executor, options)

@@ -199,7 +199,7 @@ class Problem:
         return problem
 
     def solve(self, digits: int = 16, method: str = "auto", cells: int | None = None, iterations: int | None = None,
-              start: Solution | None = None) -> Solution:
+              accuracy: float | None = None, over: Exact | None = None, start: Solution | None = None) -> Solution:
         """Solves the problem. A solve that does not converge raises nothing: see Solution.solved.
 
         Parameters
@@ -210,6 +210,10 @@ class Problem:
             The method.
         cells, iterations : int
             The number of cells of the variational method, and the largest number of its steps on each mesh.
+        accuracy : float
+            The wanted relative error of ends and resultants on cells: more and more cells, until it is reached.
+        over : number
+            The length of a window: the solution has the largest mean pressure over such a window, largest_average.
         start : Solution
             The solution of a neighbouring problem. The Riemann-Hilbert method starts from it, and is then faster.
 
@@ -230,16 +234,17 @@ class Problem:
         >>> round(s.effective_friction, 6), s.effective_friction.error < 1e-12
         (0.282808, True)
         """
-        return Solution(self, digits, method, cells, iterations, start)
+        options = {"digits": digits, "method": method, "cells": cells, "iterations": iterations, "accuracy": accuracy,
+                   "over": None if over is None else _document.exact(over, "over")}
+        return Solution(self, options, start)
 
-    def solve_both_directions(self, digits: int = 16, method: str = "auto", cells: int | None = None,
-                              iterations: int | None = None) -> BothDirections:
+    def solve_both_directions(self, **options: Any) -> BothDirections:
         """Solves the problem as it is, and with the indenter sliding the other way.
 
         Parameters
         ----------
-        digits, method, cells, iterations
-            As for solve().
+        **options
+            Those of solve().
 
         Returns
         -------
@@ -255,18 +260,17 @@ class Problem:
         """
         given = tomllib.loads(self.text).get("sliding", "+x")
         turned = self.with_(sliding="-x" if given == "+x" else "+x")
-        return BothDirections(*(problem.solve(digits, method, cells, iterations) for problem in (self, turned)))
+        return BothDirections(*(problem.solve(**options) for problem in (self, turned)))
 
-    def load_steps(self, loads: Iterable[Exact], digits: int = 16, method: str = "auto", cells: int | None = None,
-                   iterations: int | None = None) -> list[Solution]:
+    def load_steps(self, loads: Iterable[Exact], **options: Any) -> list[Solution]:
         """Solves the problem for one load after the other. Each solve starts from the one before.
 
         Parameters
         ----------
         loads : list of numbers
             The loads.
-        digits, method, cells, iterations
-            As for solve().
+        **options
+            Those of solve().
 
         Returns
         -------
@@ -287,7 +291,7 @@ class Problem:
         """
         steps: list[Solution] = []
         for load in loads:
-            steps.append(self.with_(load=load).solve(digits, method, cells, iterations, steps[-1] if steps else None))
+            steps.append(self.with_(load=load).solve(**options, start=steps[-1] if steps else None))
         return steps
 
     def exponents(self, digits: int = 16) -> list[PossiblePoint]:

@@ -41,16 +41,18 @@ class Solution:
     largest_pressure: LargestPressure
     components: int
     tilt: Number | None
+    largest_average: Number | None
+    largest_average_at: Number | None
     core: Interval | None
 
-    def __init__(self, problem: "Problem", digits: int = 16, method: str = "auto", cells: int | None = None,
-                 iterations: int | None = None, start: "Solution | None" = None) -> None:
+    def __init__(self, problem: "Problem", options: dict[str, Any], start: "Solution | None" = None) -> None:
         try:
-            self._core = _core.solve(problem._core, digits, method, cells, iterations, start and start._core)
+            self._core = _core.solve(problem._core, *options.values(), start and start._core)
         except TypeError:
-            raise InvalidData("digits, cells and iterations are whole numbers, the method is a string; digits = "
-                              f"{digits!r}, method = {method!r}, cells = {cells!r}, iterations = {iterations!r}") from None
-        self._options = (digits, method, cells, iterations)
+            given = ", ".join(f"{key} = {value!r}" for key, value in options.items())
+            raise InvalidData("digits, cells and iterations are whole numbers, the method is a string, the accuracy a number; "
+                              + given) from None
+        self._options = options
         #: the Problem
         self.problem = problem
 
@@ -65,7 +67,7 @@ class Solution:
     @property
     def digits(self) -> int:
         """The digits that solve() was called with."""
-        return self._options[0]
+        return self._options["digits"]
 
     @property
     def method(self) -> str:
@@ -420,7 +422,7 @@ class Solution:
 
     def __reduce__(self):
         # Solving again gives the same solution.
-        return Solution, (self.problem, *self._options)
+        return Solution, (self.problem, self._options)
 
 
 def _quantity(key):

@@ -47,7 +47,7 @@ def row(task):
     """
     base, changes, columns, options = task
     try:
-        solution = base.with_(**changes).solve(*options)
+        solution = base.with_(**changes).solve(**options)
     except InvalidData as invalid:
         return [np.nan] * len(columns), str(invalid)
     return [result(solution, column) for column in columns], solution.failed_condition
@@ -85,11 +85,10 @@ def changes_of(path, values):
     return changes
 
 
-def sweep(base, vary, columns, executor, digits, method, cells, iterations):
+def sweep(base, vary, columns, executor, options):
     columns = list(columns)
     if not vary:
         raise InvalidData("vary: no data; a sweep varies at least one; none")
-    options = (digits, method, cells, iterations)
     combinations = itertools.product(*(changes_of(path, values) for path, values in vary.items()))
     tasks = [(base, {path: value for change in changes for path, value in change.items()}, columns, options)
              for changes in combinations]
@@ -103,7 +102,7 @@ def sweep(base, vary, columns, executor, digits, method, cells, iterations):
     data = {path: column_of([changes[path] for _, changes, _, _ in tasks]) for path in tasks[0][1]}
     for k, column in enumerate(columns):
         values = [results[k] for results, _ in rows]
-        data[column] = np.array(values, dtype=float if digits <= 16 else object)
+        data[column] = np.array(values, dtype=float if options.get("digits", 16) <= 16 else object)
     data["failed_condition"] = np.array([failed for _, failed in rows], dtype=object)
     table = np.empty(len(rows), dtype=[(name, array.dtype) for name, array in data.items()])
     for name, array in data.items():
