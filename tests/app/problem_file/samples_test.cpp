@@ -154,7 +154,7 @@ TEST_CASE("friction from a table is friction from values and jumps; a measured p
   const TemporaryFolder folder{
       {"f.csv", "x,f\n-5,0.2\n0,0.5\n"}, {"f_um.csv", "-1000,0.2\n0,0.5\n"}, {"trace.csv", "-1,1/4\n0,0\n1,1/4\n"}};
   const auto with = [](const std::string& friction, const std::string& samples) {
-    return "load = 1\n[half_space]\npoisson = 0.3\n[friction]\n" + friction + "\n[indenter]\nsamples = " + samples +
+    return "load = 0.05\n[half_space]\npoisson = 0.3\n[friction]\n" + friction + "\n[indenter]\nsamples = " + samples +
            "\n";
   };
   const auto answer = [&](const std::string& friction, const std::string& samples) {
