@@ -14,7 +14,8 @@ namespace {
 
 using Solution = numeric::ContactSolution<double>;
 
-Indenter spline_through(int points, const Polynomial& profile) {
+template <class Profile>
+Indenter spline_through(int points, Profile profile) {
   std::string text;
   for (int i = 0; i < points; ++i) {
     const Rational x = Rational(2 * i, points - 1) - 1;
@@ -87,4 +88,21 @@ TEST_CASE("both methods agree under a spline, and auto takes the one that finds 
   const Choice choice = choice_of(Method::automatic, problem, false);
   CHECK_FALSE(choice.on_cells);
   CHECK(choice.reason == "a formula if one applies; no rule asks for cells");
+}
+
+TEST_CASE("auto takes cells for many zones under a spline of many pieces, for 16 digits without a proof") {
+  // Ridges on a parabola, a ridge on each ten points.
+  const auto ridges = [](int points, const Rational& height) {
+    return under(spline_through(points, [height, i = 0](const Rational& x) mutable {
+      return Rational(x * x / 2 + (i++ / 5 % 2 == 0 ? height : Rational(0)));
+    }));
+  };
+  const ContactProblem many = ridges(1202, 0.02_r);
+  const Choice choice = choice_of(Method::automatic, many, false);
+  CHECK(choice.on_cells);
+  CHECK(choice.reason.ends_with("contact zones on 1024 cells, more than 10, of a profile of more than 1000 pieces"));
+  CHECK_FALSE(choice_of(Method::automatic, many, false, 17).on_cells);
+  CHECK_FALSE(choice_of(Method::riemann_hilbert, many, false).on_cells);
+  CHECK_FALSE(choice_of(Method::automatic, ridges(1202, 0), false).on_cells);
+  CHECK_FALSE(choice_of(Method::automatic, ridges(1000, 0.02_r), false).on_cells);
 }
