@@ -101,6 +101,8 @@ class Resultants(NamedTuple):
     largest_pressure: LargestPressure
     components: int
     tilt: Number | None
+    largest_average: Number | None
+    largest_average_at: Number | None
     core: Interval | None
 
 
