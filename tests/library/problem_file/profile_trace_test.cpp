@@ -229,6 +229,7 @@ TEST_CASE("the trend is subtracted before the filter, and filtered heights are j
   for (const Indenter::Piece& piece : detrended.pieces) CHECK(piece.profile == Polynomial());
   const auto bent = parse_trace(line, "t.csv", std::nullopt, {1, Detrend::none, 8_r});
   CHECK(bent.pieces.front().profile(0) > 1.5_r);
+  CHECK(bent.pieces.front().profile(1) > 5);
   CHECK(abs(bent.pieces[10].profile(10) - 31) < 1e-13_r);
   CHECK(bent.points == 21);
 }
