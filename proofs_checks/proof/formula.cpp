@@ -95,9 +95,9 @@ class FormulaEvaluation {
       return at->second(arguments[0]);
     if (n.name == "max") return *std::ranges::max_element(arguments);
     if (n.name == "min") return *std::ranges::min_element(arguments);
-    const auto at = instance_.functions.find(n.name);
-    if (at == instance_.functions.end()) throw std::logic_error("the instance has no function " + n.name);
-    const auto& [parameters, body] = at->second;
+    const auto* functions = instance_.functions.get();
+    if (!functions || !functions->contains(n.name)) throw std::logic_error("the instance has no function " + n.name);
+    const auto& [parameters, body] = functions->at(n.name);
     if (parameters.size() != arguments.size()) throw std::logic_error("another number of arguments of " + n.name);
     std::map<std::string, Real50> inner;
     for (std::size_t k = 0; k < parameters.size(); ++k) inner[parameters[k]] = arguments[k];

@@ -12,6 +12,7 @@
 // all(k, m, n, f) says that the statement f holds for all these k.
 
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
@@ -61,7 +62,7 @@ struct Instance {
   };
 
   std::map<std::string, Real50> numbers;
-  std::map<std::string, Function> functions = {};
+  std::shared_ptr<const std::map<std::string, Function>> functions = {};  ///< null if there is none
   Real50 accuracy = 0;  ///< of a number x, over 1 + |x|; 0 if the numbers are exact, up to the rounding of 50 digits
 };
 

@@ -119,13 +119,14 @@ std::vector<Instance> InstanceFamily::instances(std::size_t count) const {
     given = std::ranges::find(instance_sources(), solver_, &InstanceSource::name)->instances();
     count = given.size();
   }
+  const auto functions = std::make_shared<const std::map<std::string, Instance::Function>>(functions_);
   Draw draw(of_);
   std::vector<Instance> all;
   std::size_t drawn = 0;
   while (all.size() < count && drawn < (given.empty() ? 200 * count : count)) {
     Instance instance = given.empty() ? Instance{} : given[drawn];
     ++drawn;
-    instance.functions = functions_;
+    instance.functions = functions;
     bool kept = true;
     for (const auto& [kind, name, formulas, with_from, with_to] : quantities_) {
       const auto value = [&](std::size_t k) { return formulas[k].value(instance); };

@@ -125,19 +125,21 @@ Run Meaning::run(const Rule& rule) const {
   }
   std::vector<bool> needed(needs.size());
   for (const Instance& instance : instances(key, instances_of_rules)) {
-    std::vector<Truth> premises, conclusions;
-    for (const auto& formulas : needs) premises.push_back(holds(formulas, instance));
-    for (const auto& formulas : gives) conclusions.push_back(holds(formulas, instance));
-    const auto fails = std::ranges::count(premises, Truth::no);
-    if (std::ranges::count(premises, Truth::unknown) > 0) continue;
-    const bool concluded = std::ranges::count(conclusions, Truth::no) == 0;
+    std::size_t fails = 0, failing = 0;
+    bool known = true;
+    for (std::size_t k = 0; k < needs.size() && fails < 2 && known; ++k) {
+      const Truth truth = holds(needs[k], instance);
+      known = truth != Truth::unknown;
+      if (truth == Truth::no) ++fails, failing = k;
+    }
+    if (fails > 1 || !known) continue;
+    const bool concluded =
+        std::ranges::none_of(gives, [&](const auto& all) { return holds(all, instance) == Truth::no; });
     if (fails == 0) ++result.instances;
     if (fails == 0 && !concluded && result.counterexample.empty()) {
       result.counterexample = key + " does not follow, by " + rule.name + ", for an instance: " + text_of(instance);
     }
-    if (fails == 1 && !concluded) {
-      needed[static_cast<std::size_t>(std::ranges::find(premises, Truth::no) - premises.begin())] = true;
-    }
+    if (fails == 1 && !concluded) needed[failing] = true;
   }
   if (result.instances == 0) throw std::logic_error("in no instance all premises hold: " + key_of(rule));
   for (std::size_t k = 0; k < needs.size(); ++k) {
