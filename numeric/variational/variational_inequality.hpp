@@ -19,7 +19,7 @@ struct VariationalOptions {
   /// The wanted relative error of ends and resultants; 0 for none. As long as the estimated error is larger, the problem
   /// is solved on more cells, up to most_cells.
   double accuracy = 0;
-  int most_steps = 100;      ///< largest number of active-set steps on each of the nested meshes
+  int most_steps = 100;  ///< largest number of active-set steps on each of the nested meshes
   variational::FrictionRule friction_rule = variational::FrictionRule::damped;
   /// Called repeatedly with the work done and the total work. It may throw to stop the solve.
   std::function<void(std::size_t done, std::size_t total)> progress = {};
