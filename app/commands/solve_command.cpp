@@ -51,8 +51,9 @@ void explain(const SolveOptions& options, const Problem& problem, const Solution
 }
 
 SolutionText solve_shown(const SolveOptions& options, const Problem& problem, SolutionWanted solution) {
-  Solver::Wanted wanted{options.method, std::move(solution), options.variational(), options.certify,
-                        false,          options.jobs};
+  Solver::Wanted wanted{
+      options.method, std::move(solution), options.variational(), options.cells || options.accuracy, options.certify,
+      false,          options.jobs};
   std::optional<Progress> progress;
   if (takes_variational(options.method, problem.contact, options.certify, options.common.digits))
     wanted.variational.progress = follow(progress.emplace(1));
@@ -129,9 +130,10 @@ FollowedLoads solved_steps(const SolveOptions& options, const Problem& problem, 
   Progress progress(loads.size());
   SolutionWanted solution{options.common.digits};
   solution.over = options.over;
-  Solver::Wanted wanted{
-      options.method, std::move(solution), options.variational(), options.certify, options.certificate.has_value(),
-      options.jobs};
+  Solver::Wanted wanted{options.method,        std::move(solution),
+                        options.variational(), options.cells || options.accuracy,
+                        options.certify,       options.certificate.has_value(),
+                        options.jobs};
   wanted.variational.progress = follow(progress);
   Solver solver(std::move(wanted));
   for (const Rational& load : loads) {

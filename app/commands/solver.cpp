@@ -19,14 +19,16 @@ SolutionText inapplicable(const std::string& reason) {
 }  // namespace
 
 SolutionText Solver::solve_on_cells(const Problem& problem) const {
-  const auto found = numeric::variational_inequality(problem.contact, wanted_.variational);
+  numeric::VariationalOptions options = wanted_.variational;
+  if (!wanted_.cells_chosen) options.accuracy = default_accuracy(problem);
+  const auto found = numeric::variational_inequality(problem.contact, options);
   if (!found.solution) return inapplicable(found.reason);
   SolutionWanted wanted = wanted_.solution;
   // A solution on cells judges its residuals itself.
   wanted.largest_residual = numeric::infinity<double>();
   SolutionText text = solution_text(problem, *found.solution, wanted);
   const auto [ends, traction, resultants] = found.solution->estimated_error();
-  const double accuracy = wanted_.variational.accuracy, error = std::max(ends, resultants);
+  const double accuracy = options.accuracy, error = std::max(ends, resultants);
   if (accuracy > 0 && error > accuracy && text.is_solved()) {
     text.warnings.push_back(
         fmt::format("accuracy not reached; cells are refined until ends and resultants have the "

@@ -22,9 +22,10 @@ class Solver {
     Method method = Method::automatic;
     SolutionWanted solution;
     numeric::VariationalOptions variational;
-    bool certify = false;      ///< make a proof, and enclose the numbers
-    bool certificate = false;  ///< write data with which another program can repeat the proof
-    unsigned jobs = 1;         ///< number of threads of a proof
+    bool cells_chosen = false;  ///< the number of cells or their accuracy was chosen
+    bool certify = false;       ///< make a proof, and enclose the numbers
+    bool certificate = false;   ///< write data with which another program can repeat the proof
+    unsigned jobs = 1;          ///< number of threads of a proof
   };
 
   explicit Solver(Wanted wanted) : wanted_(std::move(wanted)) {}

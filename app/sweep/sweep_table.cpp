@@ -54,6 +54,7 @@ Solver::Wanted wanted_by(const SweepFile& sweep) {
   wanted.solution.digits = sweep.digits.value_or(16);
   wanted.solution.over = sweep.over;
   if (sweep.cells) wanted.variational.cells = static_cast<std::size_t>(*sweep.cells);
+  wanted.cells_chosen = sweep.cells || sweep.accuracy;
   if (sweep.accuracy) wanted.variational.accuracy = sweep.accuracy->convert_to<double>();
   if (sweep.iterations) wanted.variational.most_steps = *sweep.iterations;
   return wanted;

@@ -201,6 +201,8 @@ Solution solve(const Problem& problem, const SolveOptions& options, const Soluti
       throw InvalidData("cells", "cells: conflicting option", "the accuracy chooses the cells", "accuracy");
     }
     wanted.variational.accuracy = *options.accuracy;
+  } else if (!options.cells) {
+    wanted.variational.accuracy = library::default_accuracy(data_of(problem).problem);
   }
   if (options.over) {
     wanted.over = rational(*options.over, "over");
