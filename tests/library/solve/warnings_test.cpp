@@ -92,3 +92,17 @@ TEST_CASE("a gap over a notch is warned of, unless the notch is what coefficient
     CHECK(lines.front().find("gaps over notches") == 0U);
   }
 }
+
+TEST_CASE("a residual may be larger under a profile of many pieces: the error of the traction, at most 1e-6") {
+  const auto limit = [](int pieces, double traction_error) {
+    std::vector<Indenter::Piece> profile;
+    for (int k = 1; k <= pieces; ++k) profile.push_back({k, Polynomial({k % 2, 0, 1})});
+    const ContactProblem problem(Elasticity::reduced(0), FrictionProfile({0}), Indenter(0, profile), 1);
+    return largest_residual_of(problem, with_error({0, traction_error, 0}));
+  };
+  CHECK(limit(64, 1e-7) == 1e-9);
+  CHECK(limit(65, 1e-7) == 1e-7);
+  CHECK(limit(65, 1e-12) == 1e-9);
+  CHECK(limit(65, 0.1) == 1e-6);
+  CHECK(limit(65, std::numeric_limits<double>::quiet_NaN()) == 1e-9);
+}
