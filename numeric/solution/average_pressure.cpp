@@ -75,22 +75,23 @@ class WindowSearch {
         last_(before_.width() - window_) {}
 
   AveragePressure<R> best() const {
-    const std::vector<R> stops = places_of_corners();
-    AveragePressure<R> best{average(stops[0]), centre(stops[0], R(0))};
-    for (const R& stop : stops) {
+    const std::vector<Window> stops = windows_at_ends();
+    AveragePressure<R> best{average(stops[0]), centre(stops[0].from, R(0))};
+    for (const Window& stop : stops) {
       const Estimate<R> there = average(stop);
-      if (there.value > best.value.value) best = {there, centre(stop, R(0))};
+      if (there.value > best.value.value) best = {there, centre(stop.from, R(0))};
     }
 
     std::vector<R> starts, lengths;
     for (std::size_t k = 0; k + 1 < stops.size(); ++k) {
-      const R bound = (before_(stops[k + 1] + window_).value - before_(stops[k]).value) / window_;
-      if (!(stops[k + 1] > stops[k]) || bound <= best.value.value) continue;
-      starts.push_back(stops[k]);
-      lengths.push_back(stops[k + 1] - stops[k]);
+      const R bound = (before_(stops[k + 1].to).value - before_(stops[k].from).value) / window_;
+      if (!(stops[k + 1].from > stops[k].from) || bound <= best.value.value) continue;
+      starts.push_back(stops[k].from);
+      lengths.push_back(stops[k + 1].from - stops[k].from);
     }
     const PanelFunction<R> inside = [&](std::size_t k, const R& from_left, const R&) {
-      return average(starts[k] + from_left);
+      const R from = starts[k] + from_left;
+      return average({from, from + window_});
     };
     const std::vector<Peak<R>> peaks = highest_peaks(lengths, inside, best.value.value);
     const auto place = [&](const Peak<R>& peak) {
@@ -106,9 +107,14 @@ class WindowSearch {
   }
 
  private:
+  /// A window whose end at a singular point is exact: the load rises steeply there.
+  struct Window {
+    R from, to;
+  };
+
   /// The Chebyshev series of the panels have two digits more than are served.
-  Estimate<R> average(const R& from) const {
-    const Estimate<R> load = before_(from + window_) - before_(from);
+  Estimate<R> average(const Window& window) const {
+    const Estimate<R> load = before_(window.to) - before_(window.from);
     return R(1 / window_) * load.widened(pow(R(10), R(-digits_served<R> - 2)));
   }
 
@@ -117,16 +123,16 @@ class WindowSearch {
     return {x, error + panels_.front().end_error + epsilon<R>() * abs(x)};
   }
 
-  /// Returns the places of windows one of whose ends is at an end of a panel, and the first and the last place.
-  std::vector<R> places_of_corners() const {
-    std::vector<R> places{R(0), last_};
+  /// Returns the windows one of whose ends is at an end of a panel, the first and the last window, from left to right.
+  std::vector<Window> windows_at_ends() const {
+    std::vector<Window> windows{{R(0), window_}, {last_, before_.width()}};
     for (const R& end : before_.ends()) {
-      for (const R& place : {end, R(end - window_)}) {
-        if (place > 0 && place < last_) places.push_back(place);
+      for (const Window& window : {Window{end, end + window_}, Window{end - window_, end}}) {
+        if (window.from > 0 && window.from < last_) windows.push_back(window);
       }
     }
-    std::sort(places.begin(), places.end());
-    return places;
+    std::sort(windows.begin(), windows.end(), [](const Window& a, const Window& b) { return a.from < b.from; });
+    return windows;
   }
 
   const std::vector<TractionPanel<R>>& panels_;

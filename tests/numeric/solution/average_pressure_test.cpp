@@ -8,8 +8,8 @@
 
 namespace {
 
-/// Checks that no window on a grid of 1000 places has more than the largest average, from the loads up to its ends, and
-/// that the window found has this average.
+/// Checks that no window on a grid of 1000 places, and none with an end at a singular point, has more than the largest
+/// average, from the loads up to its ends, and that the window found has this average.
 template <Real R>
 void no_window_has_more(const ContactSolution<R>& solution, const Rational& length) {
   using std::abs;
@@ -21,13 +21,21 @@ void no_window_has_more(const ContactSolution<R>& solution, const Rational& leng
     return R(load / to_real<R>(length));
   };
   const AveragePressure<R> found = solution.largest_average_pressure(to_real<R>(length));
+  // Windows with an end at a singular point have it exactly, because the load rises steeply there.
+  std::vector<Rational> exact;
+  for (const auto& point : solution.singular_points()) {
+    const Rational x(point.x.value);
+    for (const Rational& from : {x, Rational(x - length)}) {
+      if (from >= first && from <= first + width - length) exact.push_back(from);
+    }
+  }
   R best = 0;
+  for (const Rational& from : exact) best = std::max(best, average(from));
   for (int k = 0; k <= 1000; ++k) best = std::max(best, average(first + (width - length) * Rational(k, 1000)));
   CHECK(best <= found.value.value + 4 * found.value.error + R(1e-13) * best);
-  CHECK(best >= found.value.value * R(0.998));
-  // A window at an edge begins exactly there, because the load rises steeply.
+  CHECK(best >= found.value.value * R(0.98));
   Rational from = Rational(found.x.value) - length / 2;
-  for (const Rational& end : {first, Rational(first + width - length)}) {
+  for (const Rational& end : exact) {
     if (abs(to_real<R>(from - end)) < R(1e-12)) from = end;
   }
   const R there = average(from);
@@ -65,20 +73,24 @@ TEST_CASE_TEMPLATE("a window at the top of a parabola and at the edge of a punch
 }
 
 TEST_CASE("several zones, corners and jumps of friction: no window has more, on cells neither") {
+  // The pressure is largest left of the step, where the window ends.
+  const Indenter stepped(-1, {{0, Polynomial()}, {2, Polynomial({1.1_r, -2, 1})}});
+  const ContactProblem step = reduced({1}, {}, stepped, 1, std::nullopt, Sliding::minus_x);
   for (const ContactProblem& problem : {on_two_coatings(two_wells(), 0.4_r), on_two_coatings(two_wells(), 9),
                                         on_two_coatings(roof(-0.3_r, 0.4_r), 0.5_r),
-                                        reduced({1, 0.2_r, 2}, {-0.4_r, 0.3_r}, one_piece(-1, 1, {0}), 1)}) {
+                                        reduced({1, 0.2_r, 2}, {-0.4_r, 0.3_r}, one_piece(-1, 1, {0}), 1), step}) {
     const auto exact = riemann_hilbert<double>(problem).solution;
     for (const Rational& length : {0.02_r, 0.3_r}) {
       CAPTURE(to_string(length));
       no_window_has_more(*exact, length);
       const Estimate<double> truth = exact->largest_average_pressure(to_real<double>(length)).value;
+      CHECK(truth.error <= 1e-9 * truth.value);
       for (const std::size_t cells : {1024, 4096, 65536}) {
         const auto found = variational_inequality(problem, {.cells = cells}).solution;
         no_window_has_more(*found, length);
         const Estimate<double> on_cells = found->largest_average_pressure(to_real<double>(length)).value;
         CHECK(std::abs(on_cells.value - truth.value) <= on_cells.error + 1e-13 * truth.value);
-        CHECK(on_cells.error <= 0.25 * truth.value);
+        CHECK(on_cells.error <= (cells == 65536 ? 0.01 : 0.25) * truth.value);
       }
     }
   }
