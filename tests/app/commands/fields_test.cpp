@@ -137,3 +137,20 @@ TEST_CASE("fields that the problem or the method does not have are refused") {
                 "command line: --certify: method without proved stresses and nodal forces; with them it goes with "
                 "closed-form and riemann-hilbert; '--method variational'");
 }
+
+TEST_CASE("both directions: the fields of the other one are those of a file with that direction") {
+  const TemporaryFolder folder;
+  folder.write("p.csv", "0.1,0.1\n-0.5,0.2\n");
+  const std::string points = (folder.path() / "p.csv").string();
+  for (const Arguments& field : {Arguments{"--stress-at", points}, words("--max-stress --depth 0.1")}) {
+    const Arguments options = joined(field, {"--format", "csv"});
+    const auto both = lines(out_of(run_example("two_coatings_forward.toml", joined(options, {"--both-directions"}))));
+    const auto backward = lines(out_of(run_example("two_coatings_backward.toml", options)));
+    const std::size_t rows = backward.size() - 1;
+    REQUIRE(both.size() == 1 + 2 * rows);
+    for (std::size_t k = 1; k <= rows; ++k) {
+      CHECK(both[rows + k] == "-x," + backward[k]);
+      CHECK(both[k] != "+x," + backward[k]);  // the control
+    }
+  }
+}
