@@ -10,12 +10,11 @@
 // origin of the displacement u of contact problems (contact_solution.hpp), where u_x = u_z = 0. So u_z = -u on the
 // surface if the indenter is rigid.
 //
-// Panels of the traction are divided and graded as for stresses (interior_stress.hpp). At z = 0 they are graded down to
-// epsilon^2 of a panel's length. The errors contain rounding, the error of the traction, and the errors in the positions
-// of free ends.
+// The sums over the contact and their errors are those of body_sums.hpp; at the surface panels are graded down to epsilon^2
+// of their length. On cells the errors are those that coarser meshes show.
 
+#include "numeric/interior/body_sums.hpp"
 #include "numeric/number/estimate.hpp"
-#include "numeric/solution/piecewise_traction.hpp"
 
 namespace steadyslide::numeric {
 
@@ -32,25 +31,18 @@ class InteriorDisplacement {
   /// which have no elastic constants.
   InteriorDisplacement(PiecewiseTraction<R> traction, const Rational& origin);
 
-  /// Throws std::invalid_argument unless z >= 0. The cost grows like the number of panels.
+  /// Throws std::invalid_argument unless z >= 0.
   Displacement<R> at(const Rational& x, const Rational& z) const;
 
  private:
-  /// A displacement times 2 pi mu, in lengths of the contact's width.
-  Displacement<R> unscaled(const Rational& x, const Rational& z) const;
-  void add_panel(const TractionPanel<R>& panel, const R& x_left, const R& x_right, const R& z,
-                 Displacement<R>& sum) const;
-  void add_part(const TractionPanel<R>& panel, const PanelPart<R>& part, const R& x_left, const R& x_right, const R& z,
-                Displacement<R>& sum) const;
-  /// Returns u_x and u_z of a force N = 1, T = ratio.
-  std::pair<R, R> of_force(const R& ratio, const R& x, const R& z) const;
+  /// Returns u_x and u_z for each mesh, times 2 pi mu.
+  std::vector<std::array<Estimate<R>, 2>> unscaled(const Rational& x, const Rational& z) const;
 
-  PiecewiseTraction<R> traction_;
-  R half_sum_;         ///< (kappa+1)/2
-  R half_difference_;  ///< (kappa-1)/2
-  R scale_;            ///< 1/(2 pi mu)
-  R width_ = 1;
-  Displacement<R> at_origin_;
+  std::vector<BodySums<R, PotentialKernel<R>>> meshes_;  ///< the finest first
+  R half_sum_;                                           ///< (kappa+1)/2
+  R half_difference_;                                    ///< (kappa-1)/2
+  R scale_;                                              ///< 1/(2 pi mu)
+  std::vector<std::array<Estimate<R>, 2>> at_origin_;
 };
 
 }  // namespace steadyslide::numeric

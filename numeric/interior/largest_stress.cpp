@@ -17,9 +17,16 @@ struct StressPoint {
 };
 
 template <Real R>
+Estimate<R> von_mises_at(const StressField<R>& stress, const R& x, const R& z) {
+  StressState<R> state;
+  stress.at(std::span(&x, 1), std::span(&z, 1), std::span(&state, 1));
+  return *state.von_mises();
+}
+
+template <Real R>
 class Maximum {
  public:
-  Maximum(const InteriorStress<R>& stress, const R& least_depth) : stress_(stress), least_(least_depth) {}
+  Maximum(const StressField<R>& stress, const R& least_depth) : stress_(stress), least_(least_depth) {}
 
   /// Returns all maxima that are reached from the highest scanned places, the highest one first.
   std::vector<StressPoint<R>> highest() const {
@@ -45,19 +52,21 @@ class Maximum {
  private:
   StressPoint<R> scanned(const R& x, const R& z, const R& scale) const {
     const R depth = std::max(z, least_);
-    return {x, depth, value(x, depth), scale};
+    return {x, depth, stress_.on_finest_mesh(x, depth).von_mises()->value, scale};
   }
 
   std::vector<StressPoint<R>> scan() const {
     std::vector<StressPoint<R>> places;
     const std::vector<TractionPanel<R>>& panels = stress_.traction().panels();
-    const R width = panels.back().right - panels.front().left;
+    const R width = stress_.traction().width();
+    // An average varies over the length of its window, except beside the places where the window ends at a singular point.
+    const R shortest = std::max(R(width / 16384), R(stress_.window() / 8));
     // Groups of 1, 2, 4, ... panels, and the group of all panels.
     for (std::size_t count = 1;; count *= 2) {
       for (std::size_t k = 0; k < panels.size(); k += count) {
         const std::size_t end = std::min(k + count, panels.size());
         const R length = panels[end - 1].right - panels[k].left;
-        if (length < width / 16384 || (length < least_ / 4 && count < panels.size())) continue;
+        if (count < panels.size() && length < std::max(shortest, R(least_ / 4))) continue;
         for (int i = -1; i <= 5; ++i) {
           const R x = panels[k].left.high + length * i / 4;
           for (const R& z : {R(0), R(length / 4), R(length / 2), length}) places.push_back(scanned(x, z, length));
@@ -67,7 +76,9 @@ class Maximum {
     }
     for (const TractionPanel<R>& panel : panels) {
       if (!panel.singular_end) continue;
-      add_beside(*panel.singular_end == Side::left ? panel.left.high : panel.right.high, panel.length, places);
+      const R end = *panel.singular_end == Side::left ? panel.left.high : panel.right.high;
+      const R half = stress_.window() / 2;
+      for (int i = half > 0 ? -1 : 0; i <= (half > 0 ? 1 : 0); ++i) add_beside(end + i * half, panel.length, places);
     }
     return places;
   }
@@ -76,7 +87,9 @@ class Maximum {
   /// resolve.
   void add_beside(const R& x, const R& length, std::vector<StressPoint<R>>& places) const {
     const R shortest = std::max(least_, R(64 * epsilon<R>() * abs(x)));
-    for (R scale = length / 8; scale > shortest; scale /= 4) {
+    places.push_back(scanned(x, R(0), length / 8));
+    const int finer = stress_.window() > 0 ? 16 : 4;
+    for (R scale = length / 8; scale > shortest; scale /= finer) {
       for (int i = -1; i <= 1; ++i) places.push_back(scanned(x + i * scale, scale, scale));
       for (const int i : {-1, 1}) places.push_back(scanned(x + i * scale, R(0), scale));
     }
@@ -122,12 +135,6 @@ class Maximum {
     R curvature = 0;  ///< the smallest curvature, times the square of the stencil's step
   };
 
-  R value(const R& x, const R& z) const {
-    StressState<R> state;
-    stress_.at(std::span(&x, 1), std::span(&z, 1), std::span(&state, 1));
-    return state.von_mises()->value;
-  }
-
   Stencil stencil(const StressPoint<R>& at, const R& h) const {
     R f[3][3];  // along x, along z
     Stencil result{at, false, R(0), R(0)};
@@ -163,7 +170,7 @@ class Maximum {
     return result;
   }
 
-  const InteriorStress<R>& stress_;
+  const StressField<R>& stress_;
   R least_;
 };
 
@@ -191,17 +198,19 @@ R default_depth(const ContactSolution<R>& solution) {
 }
 
 template <Real R>
-std::optional<LargestStress<R>> largest_stress(const InteriorStress<R>& stress, const R& depth) {
+std::optional<LargestStress<R>> largest_stress(const StressField<R>& stress, const R& depth) {
   if (!(depth >= 0)) throw std::invalid_argument("depth");
   const std::vector<TractionPanel<R>>& panels = stress.traction().panels();
   if (!stress.traction().elasticity().half_space() || panels.empty()) return std::nullopt;
-  const R width = panels.back().right - panels.front().left;
-  const R least = std::max(depth, R(width * R(1e-30)));
+  const R width = stress.traction().width();
+  // At the ends of cells the stress of constant shears has a logarithm, so depths below half a cell are left out.
+  const bool on_cells = panels.front().count == 1 && stress.window() == 0;
+  const R least = std::max(depth, on_cells ? R(panels.front().length / 2) : R(width * R(1e-30)));
   const std::vector<StressPoint<R>> maxima = Maximum<R>(stress, least).highest();
   const StressPoint<R>& best = maxima.front();
-  StressState<R> state;
-  stress.at(std::span(&best.x, 1), std::span(&best.z, 1), std::span(&state, 1));
-  const Estimate<R> von_mises = *state.von_mises();
+  Estimate<R> von_mises = von_mises_at(stress, best.x, best.z);
+  if (on_cells && best.z == least && depth < least)
+    von_mises.error += abs(von_mises.value - von_mises_at(stress, best.x, R(2 * least)).value);
   // The error of the stress varies on the same length as the stress, so its slope moves the maximum.
   const R moved = best.curvature > 0 ? R(von_mises.error / best.curvature) : R(0);
   Estimate<R> x{best.x, best.scale + moved + epsilon<R>() * abs(best.x)};
@@ -221,7 +230,7 @@ std::optional<LargestStress<R>> largest_stress(const InteriorStress<R>& stress, 
 #define STEADYSLIDE_INSTANTIATE(R)                                               \
   template std::vector<Estimate<R>> unbounded_places(const ContactSolution<R>&); \
   template R default_depth(const ContactSolution<R>&);                           \
-  template std::optional<LargestStress<R>> largest_stress(const InteriorStress<R>&, const R&);
+  template std::optional<LargestStress<R>> largest_stress(const StressField<R>&, const R&);
 STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 

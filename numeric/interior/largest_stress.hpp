@@ -39,6 +39,6 @@ R default_depth(const ContactSolution<R>& solution);
 
 /// Returns the largest stress; absent without Poisson's ratio. Throws std::invalid_argument if depth < 0.
 template <Real R>
-std::optional<LargestStress<R>> largest_stress(const InteriorStress<R>& stress, const R& depth);
+std::optional<LargestStress<R>> largest_stress(const StressField<R>& stress, const R& depth);
 
 }  // namespace steadyslide::numeric

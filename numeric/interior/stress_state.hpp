@@ -41,19 +41,19 @@ struct StressState {
 
   std::optional<Estimate<R>> von_mises() const {
     if (!yy) return std::nullopt;
-    const R a = xx.value - yy->value;
-    const R b = yy->value - zz.value;
-    const R c = zz.value - xx.value;
-    const R value = sqrt((a * a + b * b + c * c) / 2 + 3 * xz.value * xz.value);
-    // All derivatives are at most 1; for the shear sqrt 3.
-    const R error = xx.error + yy->error + zz.error + sqrt(R(3)) * xz.error + 8 * epsilon<R>() * value;
-    return Estimate<R>{value, error, xx.convergence};
+    const auto norm = [](const R& a, const R& b, const R& c, const R& shear) {
+      return R(sqrt((a * a + b * b + c * c) / 2 + 3 * shear * shear));
+    };
+    const R value = norm(xx.value - yy->value, yy->value - zz.value, zz.value - xx.value, xz.value);
+    // The change of a norm is at most the norm of the change.
+    const R error = norm(xx.error + yy->error, yy->error + zz.error, zz.error + xx.error, xz.error);
+    return Estimate<R>{value, error + 8 * epsilon<R>() * value, xx.convergence};
   }
 
   Estimate<R> largest_shear() const {
-    const R half = (xx.value - zz.value) / 2;
-    const R value = sqrt(half * half + xz.value * xz.value);
-    return {value, (xx.error + zz.error) / 2 + xz.error + 4 * epsilon<R>() * value, xx.convergence};
+    const auto norm = [](const R& a, const R& shear) { return R(sqrt(a * a / 4 + shear * shear)); };
+    const R value = norm(xx.value - zz.value, xz.value), error = norm(xx.error + zz.error, xz.error);
+    return {value, error + 4 * epsilon<R>() * value, xx.convergence};
   }
 };
 

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "model/invalid_data.hpp"
+#include "numeric/solution/mesh_error.hpp"
 
 namespace steadyslide::numeric {
 namespace {
@@ -37,7 +38,7 @@ std::vector<Element<R>> elements_of(const SurfaceMesh& mesh) {
 /// Adds the forces of the part of a panel that lies on an element.
 template <Real R>
 void add(const PiecewiseTraction<R>& traction, const TractionPanel<R>& panel, const Element<R>& element, int order,
-         TractionNodes<R>& nodes, NodalForce<R>* forces) {
+         TractionNodes<R>& nodes, Estimate<R>* normal, Estimate<R>* tangential) {
   const R before = panel.left - element.left;
   const R behind = element.right - panel.right;
   PanelPart<R> part{before < 0 ? R(-before) : R(0), panel.length, behind < 0 ? R(-behind) : R(0)};
@@ -54,8 +55,8 @@ void add(const PiecewiseTraction<R>& traction, const TractionPanel<R>& panel, co
     for (int n = 0; n <= order; ++n) {
       const R force = nodes.forces[i] * shape_function(order, n, from_left, from_right);
       const R error = relative_error * abs(force);
-      forces[n].normal += Estimate<R>{-force, error};
-      forces[n].tangential += Estimate<R>{panel.shear_ratio * force, abs(panel.shear_ratio) * error};
+      normal[n] += Estimate<R>{-force, error};
+      tangential[n] += Estimate<R>{panel.shear_ratio * force, abs(panel.shear_ratio) * error};
     }
   }
 }
@@ -70,25 +71,39 @@ void check_inside(const R& distance, const SurfacePlace<R>& end, std::size_t nod
                     x.str());
 }
 
+/// Returns the nodal forces of one traction: the normal ones, then the tangential ones.
+template <Real R>
+std::vector<Estimate<R>> forces_of(const PiecewiseTraction<R>& traction, const SurfaceMesh& mesh) {
+  const std::vector<Element<R>> elements = elements_of<R>(mesh);
+  const std::size_t count = mesh.nodes().size();
+  std::vector<Estimate<R>> forces(2 * count);
+  TractionNodes<R> nodes;
+  std::size_t k = 0;
+  for (const TractionPanel<R>& panel : traction.panels()) {
+    while (k + 1 < elements.size() && panel.left - elements[k].right >= 0) ++k;
+    for (std::size_t on = k; on < elements.size() && panel.right - elements[on].left > 0; ++on) {
+      Estimate<R>* normal = &forces[mesh.first_node(on)];
+      add(traction, panel, elements[on], mesh.order(), nodes, normal, normal + count);
+    }
+  }
+  return forces;
+}
+
 }  // namespace
 
 template <Real R>
 std::vector<NodalForce<R>> nodal_forces(const PiecewiseTraction<R>& traction, const SurfaceMesh& mesh) {
-  std::vector<NodalForce<R>> forces(mesh.nodes().size());
+  std::vector<NodalForce<R>> result(mesh.nodes().size());
   const std::vector<TractionPanel<R>>& panels = traction.panels();
-  if (panels.empty()) return forces;
-  const std::vector<Element<R>> elements = elements_of<R>(mesh);
-  check_inside(panels.front().left - elements.front().left, panels.front().left, 0);
-  check_inside(elements.back().right - panels.back().right, panels.back().right, forces.size() - 1);
-  TractionNodes<R> nodes;
-  std::size_t k = 0;
-  for (const TractionPanel<R>& panel : panels) {
-    while (k + 1 < elements.size() && panel.left - elements[k].right >= 0) ++k;
-    for (std::size_t on = k; on < elements.size() && panel.right - elements[on].left > 0; ++on) {
-      add(traction, panel, elements[on], mesh.order(), nodes, &forces[mesh.first_node(on)]);
-    }
-  }
-  return forces;
+  if (panels.empty()) return result;
+  check_inside(panels.front().left - SurfacePlace<R>::of(mesh.nodes().front()), panels.front().left, 0);
+  check_inside(SurfacePlace<R>::of(mesh.nodes().back()) - panels.back().right, panels.back().right, result.size() - 1);
+  std::vector<const PiecewiseTraction<R>*> meshes{&traction};
+  for (const PiecewiseTraction<R>& coarser : traction.coarser()) meshes.push_back(&coarser);
+  const std::vector<Estimate<R>> forces =
+      on_nested_meshes(std::span<const PiecewiseTraction<R>* const>(meshes), [&](const PiecewiseTraction<R>* on_mesh) { return forces_of(*on_mesh, mesh); });
+  for (std::size_t n = 0; n < result.size(); ++n) result[n] = {forces[n], forces[result.size() + n]};
+  return result;
 }
 
 #define STEADYSLIDE_INSTANTIATE(R) \

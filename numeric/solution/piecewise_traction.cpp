@@ -101,8 +101,7 @@ std::vector<R> PiecewiseTraction<R>::chebyshev_series(const std::vector<R>& valu
 
 template <Real R>
 void PiecewiseTraction<R>::add(const SurfacePlace<R>& left, const SurfacePlace<R>& right, const R& length,
-                               const R& traction, const R& shear_ratio, const R& error, const R& force_error,
-                               const R& shift) {
+                               const R& traction, const R& shear_ratio) {
   segments_.push_back(panels_.size());
   panels_.push_back({left,
                      right,
@@ -113,9 +112,7 @@ void PiecewiseTraction<R>::add(const SurfacePlace<R>& left, const SurfacePlace<R
                      coefficients_.size(),
                      1,
                      shear_ratio,
-                     error,
-                     force_error,
-                     shift,
+                     R(16 * epsilon<R>()),
                      R(0)});
   coefficients_.push_back(traction);
 }
@@ -198,8 +195,6 @@ void PiecewiseTraction<R>::add_panel(const TractionSegment<R>& segment, const Gr
                          values.size(),
                          segment.shear_ratio,
                          error,
-                         error,
-                         R(0),
                          end_error};
   if (is_power) panel.rule = &rules_->get(power, {}, rule_size_);
   // If there is no power, y is measured from the left.

@@ -7,7 +7,7 @@
 // Panels are not longer than their distance from the next singular point other than their own end. So g is analytic in
 // Bernstein's ellipse rho = 3 + sqrt 8, and its Chebyshev series up to degree n has an error of 5.8^-n. Towards a place
 // where t has a logarithm, or a constant and a power, panels are halved until the rest carries no load. Cells are
-// panels with a constant g. In the user's units.
+// panels with a constant g, whose error coarser meshes show. In the user's units.
 
 #include <algorithm>
 #include <functional>
@@ -47,8 +47,6 @@ struct TractionPanel {
   std::size_t count;
   R shear_ratio;  ///< r
   R error;        ///< estimated relative error of t over the panel
-  R force_error;  ///< relative error of the force on the panel, for places at least its length away
-  R shift;        ///< possible displacement of this force, a length
   R end_error;    ///< estimated error of the position of its singular end; 0 if it is exact
 
   /// Returns the estimated relative change of the force at these distances from the ends of a part, if the end is
@@ -105,15 +103,23 @@ class PiecewiseTraction {
   void add(const TractionSegment<R>& segment);
   /// Adds a cell with a constant traction.
   void add(const SurfacePlace<R>& left, const SurfacePlace<R>& right, const R& length, const R& traction,
-           const R& shear_ratio, const R& error, const R& force_error, const R& shift);
+           const R& shear_ratio);
+  /// Adds the traction of the same problem on a coarser mesh. The first one added is the finest.
+  void add_coarser(PiecewiseTraction traction) { coarser_.push_back(std::move(traction)); }
 
   const Elasticity& elasticity() const { return elasticity_; }
   const std::vector<TractionPanel<R>>& panels() const { return panels_; }
+  const std::vector<PiecewiseTraction>& coarser() const { return coarser_; }
+  /// Returns the distance between the first and the last end of contact; 1 without contact.
+  R width() const { return panels_.empty() ? R(1) : panels_.back().right - panels_.front().left; }
   /// Returns the panels of segment k, in the order in which segments were added.
   std::span<const TractionPanel<R>> segment(std::size_t k) const {
     const std::size_t end = k + 1 < segments_.size() ? segments_[k + 1] : panels_.size();
     return std::span(panels_).subspan(segments_[k], end - segments_[k]);
   }
+  /// Returns the smallest q of errors of 1/N^q on cells: t ~ d^(q-1) at the strongest singular point, at most 1.
+  double slowest_rate() const { return slowest_rate_; }
+  void set_slowest_rate(double rate) { slowest_rate_ = rate; }
   /// Returns t on a panel with constant t.
   const R& constant(const TractionPanel<R>& panel) const { return coefficients_[panel.first]; }
   /// Returns the number of nodes of every rule.
@@ -142,6 +148,8 @@ class PiecewiseTraction {
   std::vector<TractionPanel<R>> panels_;
   std::vector<std::size_t> segments_;  ///< the first panel of each segment
   std::vector<R> coefficients_;
+  std::vector<PiecewiseTraction> coarser_;
+  double slowest_rate_ = 1;
 };
 
 }  // namespace steadyslide::numeric

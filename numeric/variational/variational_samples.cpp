@@ -132,40 +132,36 @@ std::vector<Rational> VariationalSolution::sampled_places(int count) const {
 }
 
 PiecewiseTraction<double> VariationalSolution::piecewise_traction() const {
-  const Rational& origin = mesh().frame().origin;
+  PiecewiseTraction<double> result = traction_on(meshes_.front());
+  for (std::size_t k = 1; k < meshes_.size(); ++k) result.add_coarser(traction_on(meshes_[k]));
+  double rate = 1;
+  for (const SingularPlace& place : places_) {
+    if (place.exponent) rate = std::min(rate, 1 + to_real<double>(*place.exponent));
+  }
+  result.set_slowest_rate(rate);
+  return result;
+}
+
+PiecewiseTraction<double> VariationalSolution::traction_on(const MeshLoads& loads) const {
   const std::vector<Rational>& jumps = problem_.friction().jumps();
-  const SurfacePlace<double> middle = SurfacePlace<double>::of(origin);
+  const SurfacePlace<double> middle = SurfacePlace<double>::of(mesh().frame().origin);
+  const std::size_t cells = loads.before.size() - 1;
+  const double cell = 1 / static_cast<double>(cells);
   PiecewiseTraction<double> result(problem_.elasticity());
   std::size_t piece = 0;
-  for (const Run& run : runs_) {
-    for (std::size_t i = run.begin; i < run.end; ++i) {
-      // Divide the cell where the friction jumps.
-      const Estimate<double> t = traction(i);
-      const double size = std::abs(t.value);
-      const double error = size == 0 ? 0 : t.error / size;
-      // Load that the coarser mesh has on the other side of a place is displaced load; across a gap this is a force.
-      // Variations within a cell have the sum 0.
-      const auto displaced = [&](double xi) {
-        const double moved = std::abs(meshes_[0].before_place(xi) - meshes_[1].before_place(xi)) + 1e-15;
-        return size == 0 ? 0 : to_real<double>(problem_.load()) * moved / size;
-      };
-      double force_error = 0;
-      if (i == run.begin) force_error += displaced(mesh().left(i)) / cell_length();
-      if (i + 1 == run.end) force_error += displaced(mesh().right(i)) / cell_length();
-      const double shift = std::max(displaced(mesh().left(i)), displaced(mesh().right(i))) + error * cell_length() / 6;
-      double left = mesh().left(i);
-      const auto place_of = [&](double xi) { return middle.moved(unit_ * xi); };
-      const auto add = [&](double to) {
-        if (to <= left) return;
-        result.add(place_of(left), place_of(to), unit_ * (to - left), t.value,
-                   to_real<double>(problem_.shear_ratio(piece)), error + 16 * epsilon<double>(),
-                   force_error + 16 * epsilon<double>(), shift);
-        left = to;
-      };
-      for (; piece < jumps.size() && mesh().place(jumps[piece]) < mesh().right(i); ++piece)
-        add(mesh().place(jumps[piece]));
-      add(mesh().right(i));
-    }
+  for (std::size_t i = 0; i < cells; ++i) {
+    const double load = loads.before[i + 1] - loads.before[i];
+    double left = static_cast<double>(i) * cell - 0.5;
+    const auto add = [&](double to) {
+      if (to <= left || load == 0) return;
+      result.add(middle.moved(unit_ * left), middle.moved(unit_ * to), unit_ * (to - left), -stress_ * load / cell,
+                 to_real<double>(problem_.shear_ratio(piece)));
+      left = to;
+    };
+    // A cell is divided where the friction jumps.
+    const double right = static_cast<double>(i + 1) * cell - 0.5;
+    for (; piece < jumps.size() && mesh().place(jumps[piece]) < right; ++piece) add(mesh().place(jumps[piece]));
+    add(right);
   }
   return result;
 }

@@ -90,6 +90,8 @@ class VariationalSolution : public ContactSolution<double> {
     /// window.
     std::pair<double, double> largest_average(double length) const;
   };
+  /// Returns the traction on one of the nested meshes.
+  PiecewiseTraction<double> traction_on(const MeshLoads& loads) const;
   /// Returns the error of a quantity that each mesh gives, `on_mesh(MeshLoads) -> double`.
   template <class OnMesh>
   double open_error(OnMesh on_mesh) const;

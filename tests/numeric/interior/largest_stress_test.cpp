@@ -145,10 +145,12 @@ TEST_CASE("on cells: how far stresses and the place of the largest one are from 
     }
   }
   CHECK(furthest > 1e-6);
-  std::ranges::nth_element(too_large, too_large.begin() + static_cast<std::ptrdiff_t>(too_large.size() / 2));
-  const double median = too_large[too_large.size() / 2];
+  std::ranges::sort(too_large);
+  const double median = too_large[too_large.size() / 2], high = too_large[too_large.size() * 95 / 100];
   CAPTURE(median);
-  CHECK(median < 500);
+  CAPTURE(high);
+  CHECK(median < 30);
+  CHECK(high < 1000);
 }
 
 TEST_CASE("without Poisson's ratio there is none") {
