@@ -8,6 +8,7 @@
 
 #include "library/problem_file/surface_files.hpp"
 #include "numeric/closed_form/closed_form.hpp"
+#include "numeric/interior/average_stress.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -55,6 +56,8 @@ void refuse_conflicts(const Given& given, const SolveOptions& options) {
                "stresses and forces are those of one load"),
       conflict("--plot", options.plot.has_value(), {"--load-steps"}, "a picture shows one solution"),
       {options.over && options.certify, "--over: conflicting option", "averages have estimates, no proof", "--certify"},
+      {options.over && options.field.largest_stress && options.common.digits > 16, "--over: too many digits",
+       numeric::digits_of_averages, fmt::format("--digits {}", options.common.digits)},
       {given.has("--jobs") && !options.certify, "--jobs: nothing to share", "it goes with --certify",
        given.text("--jobs")},
       {given.has("--depth") && !given.has("--max-stress"), "--max-stress: missing",
@@ -135,7 +138,9 @@ std::vector<Option> solve_option_list() {
        {"--max-stress", "", "The largest von Mises stress in the body, and where; with --certify a lower bound",
         Option::Kind::flag},
        {"--depth", "Z", "At depths of at least Z; default 0, or where stresses have no bound width/100"},
-       {"--over", "LENGTH", "The largest mean pressure over windows of this length, inside the contact"},
+       {"--over", "LENGTH",
+        "The largest mean pressure over windows of this length, inside the contact; with --max-stress also the largest "
+        "stress of averages over this length"},
        {"--load-steps", "LIST", "The contact under each of these loads, one row for each component"},
        {"--tolerance-profile", "E", "Intervals of load shares and friction for all profiles within E; f must not fall"},
        {"--tolerance-friction", "D", "The same for all frictions within D"},

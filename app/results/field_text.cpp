@@ -4,6 +4,7 @@
 
 #include "enclosure/contact/interior_stress.hpp"
 #include "enclosure/contact/nodal_forces.hpp"
+#include "numeric/interior/average_stress.hpp"
 #include "numeric/interior/largest_stress.hpp"
 #include "numeric/solution/nodal_forces.hpp"
 
@@ -114,10 +115,20 @@ FieldText points_and_nodes(const FieldWanted& wanted, NumberWriter& number, Stat
   return text;
 }
 
+std::optional<LargestStressText::Average> average_text(const numeric::PiecewiseTraction<double>& traction,
+                                                       const Rational& over, NumberWriter& number, int digits) {
+  const numeric::AverageStress<double> averages(traction, numeric::to_real<double>(over));
+  const auto largest = numeric::largest_stress<double>(averages, 0);
+  if (!largest) return std::nullopt;
+  return LargestStressText::Average{full_number(over, digits), number(largest->von_mises), number(largest->x),
+                                    number(largest->z)};
+}
+
 }  // namespace
 
 template <Real R>
-FieldText field_text(const numeric::ContactSolution<R>& solution, const FieldWanted& wanted, int digits) {
+FieldText field_text(const numeric::ContactSolution<R>& solution, const FieldWanted& wanted,
+                     const std::optional<Rational>& over, int digits) {
   if (!wanted.any()) return {};
   NumberWriter number(digits);
   const numeric::InteriorStress<R> interior(solution);
@@ -129,10 +140,13 @@ FieldText field_text(const numeric::ContactSolution<R>& solution, const FieldWan
     LargestStressText told;
     for (const Estimate<R>& x : numeric::unbounded_places(solution)) told.unbounded_at.push_back(number(x));
     told.depth = full_number(depth, digits);
-    if (const auto largest = numeric::largest_stress(interior, depth)) {
+    if (const auto largest = numeric::largest_stress<R>(interior, depth)) {
       told.von_mises = number(largest->von_mises);
       told.x = number(largest->x);
       told.z = number(largest->z);
+    }
+    if constexpr (std::same_as<R, double>) {
+      if (over) told.average = average_text(interior.traction(), *over, number, digits);
     }
     text.largest_stress = std::move(told);
   }
@@ -166,8 +180,9 @@ LargestStressText lower_bound(const ContactProblem& problem, const enclosure::En
   return found;
 }
 
-#define STEADYSLIDE_FIELDS_AS_TEXT(R) \
-  template FieldText field_text(const numeric::ContactSolution<R>&, const FieldWanted&, int)
+#define STEADYSLIDE_FIELDS_AS_TEXT(R)                                                   \
+  template FieldText field_text(const numeric::ContactSolution<R>&, const FieldWanted&, \
+                                const std::optional<Rational>&, int)
 STEADYSLIDE_FIELDS_AS_TEXT(double);
 STEADYSLIDE_FIELDS_AS_TEXT(numeric::Real50);
 STEADYSLIDE_FIELDS_AS_TEXT(numeric::Real100);

@@ -44,6 +44,12 @@ struct LargestStressText {
   std::string depth;                     ///< the smallest depth that was searched
   NumberText von_mises, x, z;
   bool proved = false;  ///< true: proved that the largest stress is at least von_mises
+  /// The largest von Mises stress of the stresses averaged along x.
+  struct Average {
+    std::string over;  ///< the length of the window
+    NumberText von_mises, x, z;
+  };
+  std::optional<Average> average;
 };
 
 struct FieldText {
@@ -55,9 +61,10 @@ struct FieldText {
   bool any() const { return !stresses.empty() || !nodal_forces.empty() || largest_stress; }
 };
 
-/// Throws InvalidFile if contact lies outside the mesh.
+/// Throws InvalidFile if contact lies outside the mesh. With a window `over`, the largest stress has an average.
 template <numeric::Real R>
-FieldText field_text(const numeric::ContactSolution<R>& solution, const FieldWanted& wanted, int digits);
+FieldText field_text(const numeric::ContactSolution<R>& solution, const FieldWanted& wanted,
+                     const std::optional<Rational>& over, int digits);
 
 /// The same with enclosed numbers; it has no largest stress.
 FieldText field_text(const ContactProblem& problem, const enclosure::EnclosedSolution& solution,

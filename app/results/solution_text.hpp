@@ -143,7 +143,7 @@ struct SolutionWanted {
   std::vector<Rational> at{};  ///< the places of samples,
   int samples = 0;             ///< and the number of samples in each component and gap
   FieldWanted field{};
-  std::optional<Rational> over{};  ///< the length of the window of average pressures
+  std::optional<Rational> over{};  ///< the length of the window of averages
   bool curve = false;              ///< samples for a picture, 400 a component if there are few components
   /// Entries of the result (solve_json.hpp) that become texts; other texts stay empty. Empty list: all entries.
   /// Everything is computed in any case.

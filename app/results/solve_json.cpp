@@ -158,6 +158,17 @@ Json stress_json(const StressText& at) {
   return json;
 }
 
+Json largest_stress_json(const LargestStressText& largest) {
+  Json json = with(Json(), "depth", largest.depth, "von_mises", largest.von_mises, "x", largest.x, "z", largest.z,
+                   "unbounded_at", largest.unbounded_at);
+  if (largest.proved) json["proved"] = "lower bound";
+  if (const auto& average = largest.average) {
+    json["average"] =
+        with(Json(), "over", average->over, "von_mises", average->von_mises, "x", average->x, "z", average->z);
+  }
+  return json;
+}
+
 void add_field(Json& json, const FieldText& field) {
   if (!field.stresses.empty()) json["stresses"] = array(field.stresses, stress_json);
   if (!field.nodal_forces.empty()) {
@@ -165,11 +176,7 @@ void add_field(Json& json, const FieldText& field) {
       return with(Json(), "x", force.x, "normal", force.normal, "tangential", force.tangential);
     });
   }
-  if (const auto& largest = field.largest_stress) {
-    json["largest_stress"] = with(Json(), "depth", largest->depth, "von_mises", largest->von_mises, "x", largest->x,
-                                  "z", largest->z, "unbounded_at", largest->unbounded_at);
-    if (largest->proved) json["largest_stress"]["proved"] = "lower bound";
-  }
+  if (field.largest_stress) json["largest_stress"] = largest_stress_json(*field.largest_stress);
 }
 
 Json sizes_json(const std::vector<NamedSize>& sizes) {
@@ -241,6 +248,8 @@ Json solution_entry(const SolutionText& solution, std::string_view key) {
   if (key == "samples") return array(solution.samples, sample_json);
   if (key == "estimated_error") return sizes_json(solution.errors);
   if (key == "residuals") return sizes_json(solution.residuals);
+  if (key == "largest_stress" && solution.field.largest_stress)
+    return largest_stress_json(*solution.field.largest_stress);
   if (key == "uniqueness") return uniqueness_json(solution);
   if (key == "warnings") return solution.warnings;
   return {};

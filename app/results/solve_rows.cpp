@@ -61,7 +61,9 @@ void write_nodal_forces(const SolutionText& solution, const std::vector<Cell>& f
 
 void write_largest_stress(const SolutionText& solution, const std::vector<Cell>& first, Rows& rows) {
   const LargestStressText& largest = *solution.field.largest_stress;
-  rows.row(joined<Cell>(first, {largest.depth, largest.von_mises, largest.x, largest.z}, {}));
+  rows.row(joined<Cell>(first, {largest.depth, largest.von_mises, largest.x, largest.z, ""}, {}));
+  if (const auto& average = largest.average)
+    rows.row(joined<Cell>(first, {"0", average->von_mises, average->x, average->z, average->over}, {}));
 }
 
 /// A table of a solution. Each row begins with the cells `first`.
@@ -83,7 +85,7 @@ const std::array<Table, 4> tables{{{"stresses below the surface (tension positiv
                                     write_nodal_forces},
                                    {"",
                                     [](const FieldText& field) { return field.largest_stress.has_value(); },
-                                    {"depth", number("von_mises"), number("x"), number("z")},
+                                    {"depth", number("von_mises"), number("x"), number("z"), "over"},
                                     write_largest_stress},
                                    {"", [](const FieldText&) { return true; }, sample_columns, write_samples}}};
 

@@ -156,6 +156,11 @@ void write_field(const SolutionText& solution, Output& output) {
     write_line(output, shown(largest->von_mises),
                fmt::format("at x = {}, z = {} (depths from {})", shown(largest->x), shown(largest->z), largest->depth));
     if (largest->proved) output.write("  proved of this place; that no other one has more is not\n");
+    if (const auto& average = largest->average) {
+      output.write(fmt::format("\nlargest von Mises stress of averages over {} along x\n", average->over));
+      write_line(output, shown(average->von_mises),
+                 fmt::format("at x = {}, z = {}", shown(average->x), shown(average->z)));
+    }
   }
 }
 

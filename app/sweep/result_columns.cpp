@@ -15,8 +15,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array all_entries{"method",          "digits",    "contact",    "singular_points", "resultants",
-                                 "estimated_error", "residuals", "uniqueness", "warnings"};
+constexpr std::array all_entries{"method",          "digits",    "contact",        "singular_points", "resultants",
+                                 "estimated_error", "residuals", "largest_stress", "uniqueness",      "warnings"};
 
 /// A result with all possible keys, without values. No problem is solved for it.
 SolutionText all_keys() {
@@ -30,6 +30,7 @@ SolutionText all_keys() {
     if constexpr (requires { value.emplace(); }) value.emplace();
     if constexpr (requires { value.resize(1); }) value.resize(1);
   });
+  keys.field.largest_stress.emplace().average.emplace();
   for (const char* part : {"ends", "traction", "resultants"}) keys.errors.push_back({part, ""});
   for (const auto& [name, size] : library::named(numeric::Residuals<double>{})) keys.residuals.push_back({name, ""});
   return keys;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <new>
 
 #include "app/results/rows.hpp"
@@ -53,6 +54,7 @@ Solver::Wanted wanted_by(const SweepFile& sweep) {
   }
   wanted.solution.digits = sweep.digits.value_or(16);
   wanted.solution.over = sweep.over;
+  wanted.solution.field.depth = sweep.depth;
   if (sweep.cells) wanted.variational.cells = static_cast<std::size_t>(*sweep.cells);
   wanted.cells_chosen = sweep.cells || sweep.accuracy;
   if (sweep.accuracy) wanted.variational.accuracy = sweep.accuracy->convert_to<double>();
@@ -67,6 +69,7 @@ SweepTable::SweepTable(SweepFile sweep)
       wanted_(wanted_by(sweep_)),
       columns_(sweep_.columns.empty() ? ResultColumns::usual() : sweep_.columns) {
   wanted_.solution.entries = columns_.entries();
+  wanted_.solution.field.largest_stress = std::ranges::count(wanted_.solution.entries, "largest_stress") > 0;
   for (const VariedDatum& datum : sweep_.problems.data()) {
     std::vector<std::string>& texts = values_.emplace_back();
     for (const Value& value : datum.values) texts.push_back(text_of(value, wanted_.solution.digits));

@@ -213,8 +213,9 @@ PYBIND11_MODULE(_core, m) {
           Released())
       .def(
           "max_stress",
-          [](const ss::Solution& s, const std::optional<std::string>& depth) {
-            return s.max_stress(depth ? std::optional<ss::Exact>(*depth) : std::nullopt);
+          [](const ss::Solution& s, const std::optional<std::string>& depth, const std::optional<std::string>& over) {
+            const auto exact = [](const auto& text) { return text ? std::optional<ss::Exact>(*text) : std::nullopt; };
+            return s.max_stress(exact(depth), exact(over));
           },
           Released())
       .def("picture", &picture_of)

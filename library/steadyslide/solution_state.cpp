@@ -9,6 +9,7 @@
 #include "library/solve/failed_condition.hpp"
 #include "library/solve/warnings.hpp"
 #include "library/text/number_format.hpp"
+#include "numeric/interior/average_stress.hpp"
 #include "numeric/interior/interior_displacement.hpp"
 #include "numeric/interior/interior_stress.hpp"
 #include "numeric/interior/largest_stress.hpp"
@@ -225,12 +226,23 @@ class SolvedIn final : public Solution::State {
     return {number_(found.x), number_(found.z)};
   }
 
-  LargestStress max_stress(const std::optional<Rational>& depth) const override {
-    const R least = depth ? numeric::to_real<R>(*depth) : numeric::default_depth(*solution_);
+  LargestStress max_stress(const std::optional<Rational>& depth, const std::optional<Rational>& over) const override {
+    const R usual = over ? R(0) : numeric::default_depth(*solution_);
+    const R least = depth ? numeric::to_real<R>(*depth) : usual;
     LargestStress result;
-    for (const Estimate<R>& x : numeric::unbounded_places(*solution_)) result.unbounded_at.push_back(number_(x));
     result.depth = number_(Estimate<R>{least});
-    const auto largest = numeric::largest_stress(interior(), least);
+    std::optional<numeric::LargestStress<R>> largest;
+    if (over) {
+      if constexpr (std::same_as<R, double>) {
+        const numeric::AverageStress<R> averages(interior().traction(), numeric::to_real<R>(*over));
+        largest = numeric::largest_stress<R>(averages, least);
+      } else {
+        throw InvalidData("over", "over: too many digits", numeric::digits_of_averages, "50 or 100");
+      }
+    } else {
+      for (const Estimate<R>& x : numeric::unbounded_places(*solution_)) result.unbounded_at.push_back(number_(x));
+      largest = numeric::largest_stress<R>(interior(), least);
+    }
     result.von_mises = largest ? number_(largest->von_mises) : Numbers<R>::unknown_number();
     result.x = largest ? number_(largest->x) : Numbers<R>::unknown_number();
     result.z = largest ? number_(largest->z) : Numbers<R>::unknown_number();

@@ -96,6 +96,13 @@ void check_finite(const char* field, std::span<const double> values) {
   if (wrong != values.end()) rational(*wrong, fmt::format("{}[{}]", field, wrong - values.begin()));
 }
 
+/// Returns the length of a window of averages. Throws InvalidData if it is not positive.
+Rational window_of(const Exact& over) {
+  const Rational length = rational(over, "over");
+  if (length > 0) return length;
+  throw InvalidData("over", "over: out of range", "the length of a window is positive", over.text());
+}
+
 Rational depth_of(const Exact& z, const std::string& field) {
   const Rational depth = rational(z, field);
   if (depth >= 0) return depth;
@@ -204,12 +211,7 @@ Solution solve(const Problem& problem, const SolveOptions& options, const Soluti
   } else if (!options.cells) {
     wanted.variational.accuracy = library::default_accuracy(data_of(problem).problem);
   }
-  if (options.over) {
-    wanted.over = rational(*options.over, "over");
-    if (*wanted.over <= 0) {
-      throw InvalidData("over", "over: out of range", "the length of a window is positive", options.over->text());
-    }
-  }
+  if (options.over) wanted.over = window_of(*options.over);
   const Solution::State* before = start != nullptr && start->solved() ? start->state_.get() : nullptr;
   return Solution(solved_state(problem, wanted, before));
 }
@@ -264,9 +266,10 @@ Displacement Solution::displacement(const Exact& x, const Exact& z) const {
   return state_->displacement(rational(x, "x"), depth_of(z, "z"));
 }
 
-LargestStress Solution::max_stress(const std::optional<Exact>& depth) const {
+LargestStress Solution::max_stress(const std::optional<Exact>& depth, const std::optional<Exact>& over) const {
   check_materials(problem(), "max_stress", "no von Mises stress");
-  return state_->max_stress(depth ? std::optional(depth_of(*depth, "depth")) : std::nullopt);
+  return state_->max_stress(depth ? std::optional(depth_of(*depth, "depth")) : std::nullopt,
+                            over ? std::optional(window_of(*over)) : std::nullopt);
 }
 
 std::vector<Stress> Solution::stress(std::span<const double> x, std::span<const double> z) const {

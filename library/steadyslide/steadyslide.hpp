@@ -319,8 +319,11 @@ class STEADYSLIDE_API Solution {
   Displacement displacement(const Exact& x, const Exact& z) const;
   /// Searches the largest von Mises stress at depths of at least `depth`; if it is absent, at all depths, or from a
   /// hundredth of the contact's width on if stresses have no bound or friction jumps in the contact. A search proves
-  /// nothing. Throws InvalidData if the depth is not a number or negative, or if the problem gives gamma.
-  LargestStress max_stress(const std::optional<Exact>& depth = std::nullopt) const;
+  /// nothing. With a length `over` the stresses are averaged over a window of this length along x; they have a bound at all
+  /// depths. Throws InvalidData if the depth is not a number or negative, if the length is not positive, or if the problem
+  /// gives gamma.
+  LargestStress max_stress(const std::optional<Exact>& depth = std::nullopt,
+                           const std::optional<Exact>& over = std::nullopt) const;
   /// Returns one force for each node. Throws InvalidData if the mesh is invalid, or if the contact reaches beyond the
   /// mesh.
   std::vector<NodalForce> nodal_forces(const Mesh& mesh) const;

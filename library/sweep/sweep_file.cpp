@@ -46,6 +46,7 @@ class SweepReader {
         count("iterations", 1, 10000),
         checked_number("accuracy", accuracy_rule, is_accuracy),
         checked_number("over", "the length of a window is positive", [](const Rational& length) { return length > 0; }),
+        checked_number("depth", "a depth is at least 0", [](const Rational& depth) { return depth >= 0; }),
         fingerprint};
   }
 
@@ -169,7 +170,7 @@ class SweepReader {
 
   std::optional<Word> read_method() const {
     if (reader_.find("solve") == nullptr) return std::nullopt;
-    reader_.check_table("solve", {"digits", "method", "cells", "accuracy", "iterations", "over"});
+    reader_.check_table("solve", {"digits", "method", "cells", "accuracy", "iterations", "over", "depth"});
     const Value* method = reader_.find("solve.method");
     if (method == nullptr) return std::nullopt;
     return Word{reader_.text("solve.method", *method), fmt::format("{}:{}: solve.method", name_, method->line)};

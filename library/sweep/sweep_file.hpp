@@ -6,7 +6,7 @@
 //   [vary]                   every combination of these data; the first changes slowest
 //   [together]               these vary in step, as one more datum, in the place where the table stands
 //   [output] columns         names of results
-//   [solve] digits, method, cells, accuracy, iterations, over
+//   [solve] digits, method, cells, accuracy, iterations, over, depth
 //
 // The values of a datum: an array; a range "first:last:step"; { random = N, from = ..., to = ..., seed = ... }.
 
@@ -33,7 +33,8 @@ struct SweepFile {
   std::optional<int> cells;
   std::optional<int> iterations;
   std::optional<Rational> accuracy;
-  std::optional<Rational> over;  ///< the length of the window of average pressures
+  std::optional<Rational> over;   ///< the length of the window of averages
+  std::optional<Rational> depth;  ///< the smallest depth of the largest stress
   /// A hash of the texts of the sweep, its problem and measured profiles. Sweeps of other problems have other
   /// fingerprints.
   std::uint64_t fingerprint;

@@ -1,8 +1,5 @@
 #include "numeric/interior/average_stress.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 namespace steadyslide::numeric {
@@ -12,7 +9,6 @@ AverageStress<R>::AverageStress(PiecewiseTraction<R> traction, const R& length)
     : length_(length), law_(traction.elasticity()) {
   if (!(length > 0)) throw std::invalid_argument("length of a window");
   const R width = traction.width();
-  mesh_factor_ = std::max(2.0, 1 / std::expm1(traction.slowest_rate() * std::numbers::ln2));
   meshes_ = nested_sums<R, PotentialKernel<R>>(std::move(traction), width);
 }
 
@@ -37,7 +33,7 @@ StressState<R> AverageStress<R>::at(const R& x, const R& z, std::span<const Mesh
                                       factor * (normal(0) + normal(2) + tangential(3)),
                                       factor * (tangential(2) - tangential(0) - normal(3)), normal(1) + tangential(0)};
   };
-  const auto [xx, zz, xz, pi_w] = on_nested_meshes(meshes, on_mesh, 3, mesh_factor_);
+  const auto [xx, zz, xz, pi_w] = on_nested_meshes(meshes, on_mesh, traction().mesh_rates().surface_rate);
   return law_.completed(xx, zz, xz, pi_w);
 }
 

@@ -8,7 +8,7 @@
 //   tangential:   pi int (xx, zz, xz) dx = (-2 P_1 - P_3, P_3, P_2 - P_0),        int pi W dx = P_0.
 //
 // The average is the difference of these integrals at x + L/2 and x - L/2, over L. At the surface P_1 has a logarithm. If
-// a window ends at a singular point, t ~ d^(q-1), the error on cells decreases like 1/N^q there.
+// a window ends at a singular point, t ~ d^(q-1), the error on N cells is 1/N^q there.
 
 #include <span>
 
@@ -17,6 +17,9 @@
 #include "numeric/interior/stress_field.hpp"
 
 namespace steadyslide::numeric {
+
+/// The rule for the largest stress of averages: with more digits its search would take hours.
+inline constexpr const char* digits_of_averages = "the largest stress of averages is searched with 16 digits at most";
 
 template <Real R>
 class AverageStress : public StressField<R> {
@@ -37,7 +40,6 @@ class AverageStress : public StressField<R> {
   R length_;
   HookesLaw<R> law_;
   std::vector<Mesh> meshes_;  ///< the finest first
-  double mesh_factor_;        ///< covers errors of the slowest rate
 };
 
 }  // namespace steadyslide::numeric

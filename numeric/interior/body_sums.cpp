@@ -160,7 +160,7 @@ void BodySums<R, Kernel>::add_panel(std::size_t k, const BodyPoint& point, Sums&
 /// `x_left` is x minus the left end of the part. `reach` is the distance from the panel's singular end to the point.
 template <Real R, class Kernel>
 void BodySums<R, Kernel>::add_part(const TractionPanel<R>& panel, const PanelPart<R>& part, const R& x_left,
-                                 const R& x_right, const R& z, const R& reach, Sums& sums) const {
+                                   const R& x_right, const R& z, const R& reach, Sums& sums) const {
   sums.nodes.clear();
   traction_.append_nodes(panel, part, sums.nodes);
   std::array<R, 4> of_part{};
@@ -194,7 +194,7 @@ void BodySums<R, Kernel>::add_part(const TractionPanel<R>& panel, const PanelPar
 
 template <Real R, class Kernel>
 void BodySums<R, Kernel>::add_near(const TractionPanel<R>& panel, const R& x_left, const R& x_right, const R& z,
-                                 Sums& sums) const {
+                                   Sums& sums) const {
   if (panel.count == 1) {
     std::array<R, 4> of_panel{};
     const R &t = traction_.constant(panel), length = panel.length * per_unit_;
@@ -229,8 +229,8 @@ ForceSums<R> BodySums<R, Kernel>::at(const SurfacePlace<R>& x, const R& z, Tract
   return sums;
 }
 
-#define STEADYSLIDE_INSTANTIATE(R)                \
-  template class BodySums<R, StressKernel<R>>;    \
+#define STEADYSLIDE_INSTANTIATE(R)             \
+  template class BodySums<R, StressKernel<R>>; \
   template class BodySums<R, PotentialKernel<R>>;
 STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE

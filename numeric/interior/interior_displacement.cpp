@@ -40,7 +40,9 @@ Displacement<R> InteriorDisplacement<R>::at(const Rational& x, const Rational& z
     for (std::size_t i = 0; i < 2; ++i) there[k][i] = scale_ * (there[k][i] - at_origin_[k][i]);
   }
   using Both = std::array<Estimate<R>, 2>;
-  const auto [along, down] = on_nested_meshes(std::span<const Both>(there), [](const Both& mesh) { return mesh; });
+  const auto [along, down] = on_nested_meshes(
+      std::span<const Both>(there), [](const Both& mesh) { return mesh; },
+      meshes_.front().traction().mesh_rates().rate);
   return {along, down};
 }
 

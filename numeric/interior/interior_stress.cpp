@@ -15,7 +15,7 @@ StressState<R> InteriorStress<R>::at(const SurfacePlace<R>& x, const R& z, std::
     const Estimate<R> unknown{R(std::numeric_limits<double>::quiet_NaN()), infinity<R>()};
     return law_.completed(unknown, unknown, unknown, unknown);
   }
-  const auto [xx, zz, xz, pi_w] = on_nested_meshes(meshes, [&](const Mesh& mesh) {
+  const auto on_mesh = [&](const Mesh& mesh) {
     const ForceSums<R> sums = mesh.at(x, z, nodes);
     const auto normal = [&](std::size_t j) { return Estimate<R>{sums.normal[j], sums.normal_error[j]}; };
     const auto tangential = [&](std::size_t j) { return Estimate<R>{sums.tangential[j], sums.tangential_error[j]}; };
@@ -23,7 +23,10 @@ StressState<R> InteriorStress<R>::at(const SurfacePlace<R>& x, const R& z, std::
     return std::array<Estimate<R>, 4>{factor * (normal(2) - tangential(3)), factor * (normal(0) - tangential(1)),
                                       factor * (normal(1) - tangential(2)),
                                       normal(1) + normal(3) + tangential(0) + tangential(2)};
-  });
+  };
+  // Cells do not resolve the stress at depths like their length.
+  const bool is_deep = traction().panels().empty() || z >= 2 * traction().panels().front().length;
+  const auto [xx, zz, xz, pi_w] = on_nested_meshes(meshes, on_mesh, is_deep ? traction().mesh_rates().rate : 1);
   return law_.completed(xx, zz, xz, pi_w);
 }
 

@@ -100,8 +100,9 @@ std::vector<NodalForce<R>> nodal_forces(const PiecewiseTraction<R>& traction, co
   check_inside(SurfacePlace<R>::of(mesh.nodes().back()) - panels.back().right, panels.back().right, result.size() - 1);
   std::vector<const PiecewiseTraction<R>*> meshes{&traction};
   for (const PiecewiseTraction<R>& coarser : traction.coarser()) meshes.push_back(&coarser);
-  const std::vector<Estimate<R>> forces =
-      on_nested_meshes(std::span<const PiecewiseTraction<R>* const>(meshes), [&](const PiecewiseTraction<R>* on_mesh) { return forces_of(*on_mesh, mesh); });
+  const std::vector<Estimate<R>> forces = on_nested_meshes(
+      std::span<const PiecewiseTraction<R>* const>(meshes),
+      [&](const PiecewiseTraction<R>* on_mesh) { return forces_of(*on_mesh, mesh); }, 1);
   for (std::size_t n = 0; n < result.size(); ++n) result[n] = {forces[n], forces[result.size() + n]};
   return result;
 }

@@ -117,9 +117,13 @@ class PiecewiseTraction {
     const std::size_t end = k + 1 < segments_.size() ? segments_[k + 1] : panels_.size();
     return std::span(panels_).subspan(segments_[k], end - segments_[k]);
   }
-  /// Returns the smallest q of errors of 1/N^q on cells: t ~ d^(q-1) at the strongest singular point, at most 1.
-  double slowest_rate() const { return slowest_rate_; }
-  void set_slowest_rate(double rate) { slowest_rate_ = rate; }
+  /// On cells errors are 1/N^rate, of averages at the surface 1/N^surface_rate.
+  struct MeshRates {
+    double rate = 2;
+    double surface_rate = 2;
+  };
+  const MeshRates& mesh_rates() const { return mesh_rates_; }
+  void set_mesh_rates(const MeshRates& rates) { mesh_rates_ = rates; }
   /// Returns t on a panel with constant t.
   const R& constant(const TractionPanel<R>& panel) const { return coefficients_[panel.first]; }
   /// Returns the number of nodes of every rule.
@@ -149,7 +153,7 @@ class PiecewiseTraction {
   std::vector<std::size_t> segments_;  ///< the first panel of each segment
   std::vector<R> coefficients_;
   std::vector<PiecewiseTraction> coarser_;
-  double slowest_rate_ = 1;
+  MeshRates mesh_rates_;
 };
 
 }  // namespace steadyslide::numeric

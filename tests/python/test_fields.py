@@ -107,6 +107,9 @@ def test_the_largest_stress_is_that_of_the_command_line(name, depth):
     largest = ss.Problem.from_toml(file).solve().max_stress(depth)
     assert [float(told[key]["value"]) for key in ("von_mises", "x", "z")] == [largest.von_mises, largest.x, largest.z]
     assert len(told["unbounded_at"]) == len(largest.unbounded_at)
+    told = command_line(file, "--max-stress", "--over", "0.1")["largest_stress"]["average"]
+    average = ss.Problem.from_toml(file).solve().max_stress(over="0.1")
+    assert [float(told[key]["value"]) for key in ("von_mises", "x", "z")] == [average.von_mises, average.x, average.z]
 
 
 def test_load_steps_and_both_directions_are_those_of_the_command_line():

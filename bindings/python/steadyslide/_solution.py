@@ -309,7 +309,7 @@ class Solution:
         values, wrong = (Displacement(*(column[k] for column in columns)) for k in (0, 1))
         return (values, wrong) if errors else values
 
-    def max_stress(self, depth: Exact | None = None) -> LargestStress:
+    def max_stress(self, depth: Exact | None = None, over: Exact | None = None) -> LargestStress:
         """Searches the largest von Mises stress in the body. A search proves nothing.
 
         Parameters
@@ -317,6 +317,8 @@ class Solution:
         depth : number
             The smallest depth. By default all depths, or those from a hundredth of the contact's width on if stresses
             have no bound or friction jumps in the contact.
+        over : number
+            A length. The stresses are averaged over a window of this length along x. They have a bound at all depths.
 
         Returns
         -------
@@ -326,7 +328,8 @@ class Solution:
         Raises
         ------
         InvalidData
-            If the depth is not a number or negative, or if the problem gives gamma instead of a material.
+            If the depth is not a number or negative, if the length is not positive, or if the problem gives gamma instead of
+            a material.
 
         Examples
         --------
@@ -335,7 +338,8 @@ class Solution:
         >>> abs(largest.x) < 1e-6, largest.z > 0, largest.unbounded_at
         (True, True, [])
         """
-        return LargestStress(*self._numbers(self._core.max_stress(None if depth is None else _document.exact(depth, "depth"))))
+        wanted = [None if value is None else _document.exact(value, name) for name, value in (("depth", depth), ("over", over))]
+        return LargestStress(*self._numbers(self._core.max_stress(*wanted)))
 
     def nodal_forces(self, nodes: Places, order: int = 1) -> NodalForces:
         """Returns the consistent nodal forces of the tractions on a mesh of the surface.

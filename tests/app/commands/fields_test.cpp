@@ -103,7 +103,22 @@ TEST_CASE("the largest stress: its place, its depth, and where there is no bound
   CHECK(holds(text, "largest von Mises stress\n  inf                   next to x = -1\n"));
   CHECK(holds(text, "(depths from 0.02)"));
   const std::string csv = out_of(run_alone({"solve", "-", "--max-stress", "--format", "csv"}, coated));
-  CHECK(csv.starts_with("depth,von_mises,x,z,von_mises_error,x_error,z_error\n0.02,"));
+  CHECK(csv.starts_with("depth,von_mises,x,z,over,von_mises_error,x_error,z_error\n0.02,"));
+}
+
+TEST_CASE("the largest stress of averages: finite, in every format, and larger over a shorter window") {
+  const Json average = fields_of({"--max-stress", "--over", "0.1"}).at("largest_stress").at("average");
+  CHECK(average.at("over") == "0.1");
+  CHECK(error_at(average, "von_mises") < 1e-9);
+  const Json shorter = fields_of({"--max-stress", "--over", "0.01"}).at("largest_stress").at("average");
+  CHECK(real_at(shorter, "von_mises") > real_at(average, "von_mises"));
+  CHECK_FALSE(fields_of({"--max-stress"}).at("largest_stress").contains("average"));
+  const std::string text = out_of(run_alone({"solve", "-", "--max-stress", "--over", "0.1"}, coated));
+  CHECK(holds(text, "\nlargest von Mises stress of averages over 0.1 along x\n"));
+  const auto csv = lines(out_of(run_alone(words("solve - --max-stress --over 0.1 --format csv"), coated)));
+  REQUIRE(csv.size() == 3);
+  CHECK(csv[2].starts_with("0," + std::string(value_of(average.at("von_mises")))));
+  CHECK(holds(csv[2], ",0.1,"));
 }
 
 TEST_CASE("with a proof the text calls the largest stress a lower bound") {

@@ -139,6 +139,17 @@ TEST_CASE("sweep: digits, method, cells and the window are those of solve") {
                                  cells["resultants"]["load_share"][0]["value"], "variational", ""});
 }
 
+TEST_CASE("sweep: the largest stress is that of --max-stress, and is computed for its columns alone") {
+  const SweepFolder folder(
+      "[vary]\nload = [1]\n[solve]\nover = 0.1\ndepth = 0.2\n[output]\ncolumns = [\"largest_stress.von_mises\", "
+      "\"largest_stress.z_error\", \"largest_stress.average.von_mises\"]\n");
+  const Json largest =
+      Json::parse(output(sweep_base, words("--format json --max-stress --depth 0.2 --over 0.1")))["largest_stress"];
+  CHECK(table_of(out_of(folder.sweep()))[1] == std::vector<std::string>{"1", largest["von_mises"]["value"],
+                                                                        largest["z"]["error"],
+                                                                        largest["average"]["von_mises"]["value"], ""});
+}
+
 TEST_CASE("sweep: a failure is a row with its reason, and exit code 1") {
   const SweepFolder folder(
       "[vary]\n\"friction.jumps[0]\" = [\"0.5\", 1, \"-3/2\"]\n[solve]\nmethod = \"closed-form\"\n"

@@ -103,6 +103,11 @@ TEST_CASE("displacements and the largest stress") {
         doctest::Approx(solution.stress(largest.x.value, largest.z.value).von_mises->value).epsilon(1e-12));
   REQUIRE(largest.unbounded_at.size() == 1);  // the jump, at which friction rises
   CHECK(largest.unbounded_at[0].value == doctest::Approx(0.1));
+  const LargestStress average = solution.max_stress({}, "0.1");
+  CHECK(average.unbounded_at.empty());
+  CHECK(average.von_mises.value > largest.von_mises.value);
+  CHECK(average.von_mises.error < 1e-9);
+  CHECK(refusal([&] { solution.max_stress({}, 0); }) == "over: out of range; the length of a window is positive; 0");
   CHECK(refusal([&] { solution.displacement(0, -1); }) == "z: above the surface; a depth is at least 0; -1");
   CHECK(refusal([&] { solution.max_stress("-1"); }) == "depth: above the surface; a depth is at least 0; -1");
   const ProblemData reduced{.load = 1, .friction = {0}, .gamma = "0.2", .profile = "0"};

@@ -13,7 +13,8 @@ using namespace steadyslide::numeric::stress_test;
 
 namespace {
 
-const std::vector<ContactProblem> averaged_problems{jumps(), jumps(Sliding::minus_x), corners(), punch(Sliding::minus_x)};
+const std::vector<ContactProblem> averaged_problems{jumps(), jumps(Sliding::minus_x), corners(),
+                                                    punch(Sliding::minus_x)};
 
 template <Real R>
 StressState<R> average_at(const AverageStress<R>& average, const R& x, const R& z) {
@@ -102,7 +103,7 @@ TEST_CASE("on cells: how far averages are from those of the exact traction, at e
         const auto largest = largest_stress<double>(on_cells, 0);
         CHECK(std::abs(largest->von_mises.value - largest_exact->von_mises.value) <=
               largest->von_mises.error + largest_exact->von_mises.error);
-        CHECK(largest->von_mises.error <= (cells == 65536 ? 0.2 : 1) * largest->von_mises.value);
+        CHECK(largest->von_mises.error <= (cells == 65536 ? 0.3 : 2) * largest->von_mises.value);
       }
     }
   }
