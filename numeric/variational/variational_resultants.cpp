@@ -1,9 +1,9 @@
 // Forces of a solution on cells, and their errors.
 //
 // The difference of loads between meshes shows their error. But a single difference may be small by chance, because
-// ends and jumps lie at varying positions in their cells. Errors are 1/N or less. So the differences of the last four
-// meshes are added, each reduced to this mesh as an error of 1/N would be, and doubled. For an error that is just 1/N,
-// the sum is eight times this error.
+// ends and jumps lie at varying positions in their cells. Errors are 1/N or less, and 1/N^2 if the contact has no edge and
+// no friction jump. So the differences of the last four meshes are added, each reduced to this mesh as such an error would
+// be, and doubled. For an error that is just 1/N or 1/N^2, the sum is eight times this error.
 //
 // These meshes do not show three errors; in each case a load may be at another place. The load of a zone of n cells has
 // a relative error of about 16/n^2. A contact that ends within a cell of a friction jump may reach beyond it: then the
@@ -63,9 +63,10 @@ std::pair<double, double> VariationalSolution::MeshLoads::largest_average(double
 template <class OnMesh>
 double VariationalSolution::open_error(OnMesh on_mesh) const {
   double error = 0;
-  double weight = 2;
+  const double growth = std::exp2(mesh_rate_);
+  double weight = 2 / (growth - 1);
   double last = on_mesh(meshes_.front());
-  for (std::size_t k = 1; k < meshes_.size(); ++k, weight /= 2) {
+  for (std::size_t k = 1; k < meshes_.size(); ++k, weight /= growth) {
     const double next = on_mesh(meshes_[k]);
     error += weight * std::abs(next - last);
     last = next;

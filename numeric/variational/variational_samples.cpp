@@ -134,13 +134,9 @@ std::vector<Rational> VariationalSolution::sampled_places(int count) const {
 PiecewiseTraction<double> VariationalSolution::piecewise_traction() const {
   PiecewiseTraction<double> result = traction_on(meshes_.front());
   for (std::size_t k = 1; k < meshes_.size(); ++k) result.add_coarser(traction_on(meshes_[k]));
-  // Exponents of this problem and of that with reversed friction add to -1 at edges and jumps, to 0 at free ends; the
-  // rate is this sum plus 2.
-  PiecewiseTraction<double>::MeshRates rates;
+  PiecewiseTraction<double>::MeshRates rates{mesh_rate_, mesh_rate_};
   for (const SingularPlace& place : places_) {
-    if (!place.exponent || place.exponent->sign() == 0) continue;
-    if (place.exact) rates.rate = 1;
-    rates.surface_rate = std::min({rates.surface_rate, rates.rate, 1 + to_real<double>(*place.exponent)});
+    if (place.exponent) rates.surface_rate = std::min(rates.surface_rate, 1 + to_real<double>(*place.exponent));
   }
   result.set_mesh_rates(rates);
   return result;

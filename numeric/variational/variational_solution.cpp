@@ -34,6 +34,13 @@ VariationalSolution::VariationalSolution(ContactProblem problem, variational::Ne
   }
   find_runs();
   find_places();
+  const auto is_exact = [](const SingularPlace& place) {
+    return place.exact && place.exponent && place.exponent->sign() != 0;
+  };
+  constexpr std::size_t few = 32;
+  const auto is_short = [](const Run& run) { return run.end - run.begin < few; };
+  if (std::any_of(places_.begin(), places_.end(), is_exact) || std::any_of(runs_.begin(), runs_.end(), is_short))
+    mesh_rate_ = 1;
   find_end_errors();
 }
 
