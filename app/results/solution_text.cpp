@@ -161,6 +161,12 @@ SolutionText solution_text(const Problem& problem, const numeric::ContactSolutio
   Writer<R> writer(text, wanted);
   text.method = solution.method();
   text.digits = wanted.digits;
+  if (const auto cells = solution.equal_cells()) {
+    const auto end = [&](const Rational& x) {
+      return NumberText{format_number(x, 6), full_number(x, wanted.digits), "0"};
+    };
+    text.cells = {cells->count, end(cells->left), end(cells->right)};
+  }
   const SolvedContact<R> solved(problem.contact, solution, wanted.over);
   writer.tell("contact");
   set_contact(text, solved.contact(), writer);

@@ -98,8 +98,15 @@ struct BoundText {
   std::string certificate;  ///< docs/certified.md
 };
 
+/// Equal cells between two places of x.
+struct CellsText {
+  std::size_t count;
+  NumberText from, to;
+};
+
 struct SolutionText {
   std::string method;
+  std::optional<CellsText> cells;  ///< of a solution on cells
   std::string instead;  ///< not empty: another method failed before; the reason
   int digits = 0;
   std::vector<std::pair<EndText, EndText>> contact;

@@ -213,7 +213,11 @@ void write_tolerance(const Problem& problem, const ToleranceText& tolerance, Out
 void write_text(const Problem& problem, const SolutionText& solution, Output& output) {
   write_problem(problem.contact, output);
   const std::string& method = solution.instead.empty() ? "method " + solution.method : solution.instead;
-  output.write(fmt::format("{}, {} digits\n\ncontact\n", method, solution.digits));
+  output.write(fmt::format("{}, {} digits", method, solution.digits));
+  if (const auto& cells = solution.cells) {
+    output.write(fmt::format(", {} cells from x = {} to {}", cells->count, cells->from.shown, cells->to.shown));
+  }
+  output.write("\n\ncontact\n");
   write_contact(solution, output);
   write_singular_points(solution, output);
   write_resultants(problem, solution, output);

@@ -133,6 +133,13 @@ struct DetailedSample : Sample<R> {
   std::optional<Friction> friction;
 };
 
+/// Equal cells between two places.
+struct EqualCells {
+  std::size_t count;
+  Rational left;
+  Rational right;
+};
+
 template <Real R>
 class ContactSolution {
  public:
@@ -141,6 +148,8 @@ class ContactSolution {
   virtual std::string method() const = 0;
   /// Returns the condition that the best state violates, in words; empty if every condition of the problem holds.
   virtual std::string failed_condition() const { return {}; }
+  /// Returns the cells on which the traction is constant; absent for a method without cells.
+  virtual std::optional<EqualCells> equal_cells() const { return std::nullopt; }
   virtual std::vector<ContactComponent<R>> contact() const = 0;
   /// Returns the gaps from left to right.
   virtual std::vector<UnresolvedGap<R>> unresolved_gaps() const { return {}; }

@@ -10,10 +10,6 @@
 namespace steadyslide::numeric::variational {
 namespace {
 
-Rational support_length(const ContactProblem& problem) {
-  return problem.indenter().right() - problem.indenter().left();
-}
-
 /// Returns the distances of the cells' ends from 0 on one side, up to `end`.
 std::vector<double> graded_distances(double end, double smallest, double ratio, double largest) {
   std::vector<double> result;
@@ -56,8 +52,14 @@ Rational height_at(const Indenter& indenter, const Rational& x) { return indente
 
 }  // namespace
 
-CellMesh::CellMesh(const ContactProblem& problem, std::size_t cells)
-    : frame_{(problem.indenter().left() + problem.indenter().right()) / 2, support_length(problem)},
+Frame frame_between(const Rational& left, const Rational& right) { return {(left + right) / 2, right - left}; }
+
+Frame support_frame(const ContactProblem& problem) {
+  return frame_between(problem.indenter().left(), problem.indenter().right());
+}
+
+CellMesh::CellMesh(Frame frame, std::size_t cells)
+    : frame_(std::move(frame)),
       edges_(cells + 1),
       uniform_(true),
       length_(1 / static_cast<double>(cells)) {
@@ -65,7 +67,7 @@ CellMesh::CellMesh(const ContactProblem& problem, std::size_t cells)
 }
 
 CellMesh::CellMesh(const ContactProblem& problem, const Rational& origin, std::vector<double> edges)
-    : frame_{origin, support_length(problem)}, edges_(std::move(edges)), uniform_(false) {
+    : frame_{origin, support_frame(problem).unit}, edges_(std::move(edges)), uniform_(false) {
   if (edges_.size() < 2 || std::adjacent_find(edges_.begin(), edges_.end(), std::greater_equal<>()) != edges_.end()) {
     throw std::invalid_argument("cell edges do not increase");
   }

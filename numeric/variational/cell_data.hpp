@@ -10,12 +10,19 @@
 
 namespace steadyslide::numeric::variational {
 
+/// Returns the frame in which an interval of x is xi from -1/2 to 1/2.
+Frame frame_between(const Rational& left, const Rational& right);
+/// Returns the same for the support.
+Frame support_frame(const ContactProblem& problem);
+
 /// The cells on which the variational solver's traction is constant. Lengths are reduced, xi = (x - origin)/unit, with
-/// the support's length as unit, so that -log|xi - xi'| >= 0 everywhere on the support.
+/// the length of all cells as unit, so that -log|xi - xi'| >= 0 everywhere on them.
 class CellMesh {
  public:
-  /// Makes `cells` >= 1 equal cells on the support, xi from -1/2 to 1/2, for any jumps and breaks.
-  CellMesh(const ContactProblem& problem, std::size_t cells);
+  /// Makes `cells` >= 1 equal cells, xi from -1/2 to 1/2, for any jumps and breaks.
+  CellMesh(Frame frame, std::size_t cells);
+  /// Makes equal cells on the support.
+  CellMesh(const ContactProblem& problem, std::size_t cells) : CellMesh(support_frame(problem), cells) {}
   /// Makes cells of any lengths, which may be refined towards the place `origin`. `edges` are xi of their ends,
   /// increasing; the first and the last one are the ends of the support.
   CellMesh(const ContactProblem& problem, const Rational& origin, std::vector<double> edges);
@@ -29,7 +36,7 @@ class CellMesh {
   double length(std::size_t i) const { return uniform_ ? length_ : edges_[i + 1] - edges_[i]; }
   double centre(std::size_t i) const { return (edges_[i] + edges_[i + 1]) / 2; }
   const std::vector<double>& edges() const { return edges_; }
-  /// Returns the cell that contains xi; between two cells, the right one; outside the support, the nearest one.
+  /// Returns the cell that contains xi; between two cells, the right one; outside all cells, the nearest one.
   std::size_t cell_at(double xi) const;
   /// Returns xi of a place of the problem, rounded once.
   double place(const Rational& x) const { return to_real<double>((x - frame_.origin) / frame_.unit); }

@@ -53,9 +53,13 @@ struct NestedResult {
   Certificate certificate;
 };
 
-/// Solves on nested meshes, on the coarsest one from contact everywhere. Progress is reported after each step of the
-/// active sets, in proportion to the cost.
-NestedResult solve_nested(const ContactProblem& problem, const VariationalOptions& options);
+/// Solves on nested meshes of equal cells of the frame, on the coarsest one from contact everywhere. The indenter is cut
+/// at the frame's ends. Progress is reported after each step of the active sets, in proportion to the cost.
+NestedResult solve_nested(const ContactProblem& problem, const Frame& frame, const VariationalOptions& options);
+/// Solves on the whole support.
+inline NestedResult solve_nested(const ContactProblem& problem, const VariationalOptions& options) {
+  return solve_nested(problem, support_frame(problem), options);
+}
 
 /// Solves an already discretised problem, from a contact set that is not empty, and a state.
 MeshSolution solve_on_cells(std::shared_ptr<const DiscreteProblem> problem, CellSet start, const DiscreteState& guess,

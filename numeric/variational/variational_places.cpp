@@ -31,7 +31,8 @@ Estimate<double> known(const Estimate<double>& fine, const Estimate<double>& coa
 VariationalSolution::SingularPlace VariationalSolution::end_place(const Run& run, End end) const {
   const std::size_t cell = end == End::left ? run.begin : run.end - 1;
   const double boundary = end == End::left ? edges_[cell] : edges_[cell + 1];
-  const bool at_support = end == End::left ? cell == 0 : cell + 1 == mesh().size();
+  const Rational edge = mesh().frame().origin +
+                        mesh().frame().unit * Rational(end == End::left ? mesh().left(cell) : mesh().right(cell));
   // The friction piece on the contact's side of a place.
   const Side inside = opposite(end);
   const auto make = [&](double x, const Rational& exact, SingularKind kind) {
@@ -40,9 +41,8 @@ VariationalSolution::SingularPlace VariationalSolution::end_place(const Run& run
     const Exponent exponent = kind == SingularKind::free ? free_exponent(end, s) : edge_exponent(end, s);
     return SingularPlace{x, kind, exponent, {x}, inside, piece, piece, -1, kind != SingularKind::free};
   };
-  if (at_support) {
-    const Rational& x = end == End::left ? problem_.indenter().left() : problem_.indenter().right();
-    return make(boundary, x, SingularKind::edge);
+  if (edge == (end == End::left ? problem_.indenter().left() : problem_.indenter().right())) {
+    return make(boundary, edge, SingularKind::edge);
   }
   // A step in the cell next to the end, whose protruding side is in contact.
   const auto& pieces = problem_.indenter().pieces();
@@ -58,8 +58,7 @@ VariationalSolution::SingularPlace VariationalSolution::end_place(const Run& run
     }
   }
   // Exact, because if friction jumps at a cell's edge, rounding would decide the side.
-  const Rational edge = Rational(mesh().left(end == End::left ? cell : cell + 1));
-  return make(boundary, mesh().frame().origin + mesh().frame().unit * edge, SingularKind::free);
+  return make(boundary, edge, SingularKind::free);
 }
 
 void VariationalSolution::find_places() {

@@ -52,6 +52,37 @@ double VariationalSolution::displacement(double xi) const {
   return interpolated(displacement_, (xi - mesh().left(0)) / mesh().length(0) - 0.5);
 }
 
+double VariationalSolution::displacement_beyond(const variational::MeshSolution& solution, double xi) const {
+  const variational::CellMesh& cells = solution.problem->mesh();
+  const variational::CellFriction& friction = solution.problem->galerkin_operator().friction();
+  const bool feels_friction = (xi > 0) == (friction.sign > 0);
+  double sum = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const double p = solution.found.state.pressure[i];
+    if (p == 0) continue;
+    sum += p * cells.length(i) * kernel().mean_from_point(cells.left(i), cells.right(i), xi);
+    if (feels_friction) sum += friction.sign * p * friction.whole[i];
+  }
+  return sum;
+}
+
+double VariationalSolution::height_in_units(const Rational& x) const {
+  return to_real<double>(Rational(variational::profile_above_middle(problem_, x) /
+                                  (problem_.elasticity().compliance() * problem_.load())));
+}
+
+bool VariationalSolution::is_on_support(const Rational& x) const {
+  return x >= problem_.indenter().left() && x <= problem_.indenter().right();
+}
+
+Estimate<double> VariationalSolution::gap(const Rational& x, double fine, double coarse, double rounding) const {
+  const double height = height_in_units(x), xi = mesh().place(x);
+  const DiscreteState& other = found_.coarse.found.state;
+  const double shift = std::abs(state().approach - other.approach) + std::abs((state().tilt - other.tilt) * xi);
+  return {height_ * (height + state().tilt * xi + fine - state().approach),
+          height_ * (std::abs(fine - coarse) + shift + rounding + 1e-15 * std::abs(height))};
+}
+
 TwoSided<double> VariationalSolution::slope_beyond(double slope) const {
   const Estimate<double> estimate{slope, std::abs(slope) * estimated_error().traction};
   return {estimate, estimate};
@@ -63,11 +94,15 @@ Sample<double> VariationalSolution::outside(const Rational& x) const {
       runs_, [&](std::size_t i) { return state().pressure[i] * kernel().slope(mesh().left(i), mesh().right(i), xi); });
   Sample<double> result{to_real<double>(x), {}, {}, std::nullopt, {}};
   result.slope = slope_beyond(-height_ / unit_ * sum / std::numbers::pi);
+  if (is_on_support(x)) {
+    result.gap = gap(x, displacement_beyond(found_.fine, xi), displacement_beyond(found_.coarse, xi), 0);
+  }
   return result;
 }
 
 Sample<double> VariationalSolution::at(const Rational& x) const {
-  if (x < problem_.indenter().left() || x > problem_.indenter().right()) return outside(x);
+  const Frame& frame = mesh().frame();
+  if (2 * abs(x - frame.origin) > frame.unit) return outside(x);
   const double xi = mesh().place(x);
   const std::size_t right = mesh().cell_at(xi);
   const std::size_t left = right > 0 && xi == mesh().left(right) ? right - 1 : right;
@@ -87,14 +122,8 @@ Sample<double> VariationalSolution::at(const Rational& x) const {
   if (contact[left] || contact[right]) {
     result.gap = Estimate<double>{};
   } else {
-    const double height = to_real<double>(Rational(variational::profile_above_middle(problem_, x) /
-                                                   (problem_.elasticity().compliance() * problem_.load())));
-    const double gap = height + state().tilt * xi + displacement(xi) - state().approach;
-    // The error of linear interpolation between cells, and the difference in the indenter's position on the coarser
-    // mesh.
-    const DiscreteState& coarse = found_.coarse.found.state;
-    const double shift = std::abs(state().approach - coarse.approach) + std::abs((state().tilt - coarse.tilt) * xi);
-    result.gap = Estimate<double>{height_ * gap, height_ * (curvature(right) + shift + 1e-15 * std::abs(height))};
+    // The curvature is the error of linear interpolation between cells.
+    result.gap = gap(x, displacement(xi), displacement(xi), curvature(right));
   }
   const auto slope = [&](std::size_t cell, Side side) -> Estimate<double> {
     if (contact[cell]) {
@@ -121,13 +150,13 @@ std::vector<Rational> VariationalSolution::sampled_places(int count) const {
       result.push_back(origin + Rational(x));
     }
   };
-  double end = edges_.front();
+  double end = unit_ * mesh().place(problem_.indenter().left());
   for (const Run& run : runs_) {
     sample_between(end, edges_[run.begin]);
     sample_between(edges_[run.begin], edges_[run.end]);
     end = edges_[run.end];
   }
-  sample_between(end, edges_.back());
+  sample_between(end, unit_ * mesh().place(problem_.indenter().right()));
   return result;
 }
 
@@ -181,7 +210,8 @@ Estimate<double> VariationalSolution::height(const Rational& x) const {
 }
 
 Estimate<double> VariationalSolution::rise_beyond(double xi) const {
-  const double end = xi < 0 ? mesh().edges().front() : mesh().edges().back();
+  const Indenter& indenter = problem_.indenter();
+  const double end = mesh().place(xi < 0 ? indenter.left() : indenter.right());
   const double sum = sum_over(runs_, [&](std::size_t i) {
     return state().pressure[i] * kernel().rise(mesh().left(i), mesh().right(i), end, xi);
   });
@@ -243,10 +273,9 @@ DetailedSample<double> VariationalSolution::details_at(const Rational& x) const 
   DetailedSample<double> result{at(x), {}, {}, {}, {}};
   const double xi = mesh().place(x);
   const Indenter& indenter = problem_.indenter();
-  const bool on_left = x < indenter.left();
-  const bool beyond = on_left || x > indenter.right();
+  const bool beyond = !is_on_support(x);
   const Estimate<double>& origin = height_at_origin_([this] { return height(problem_.origin_of_displacement()); });
-  result.displacement = height(beyond ? (on_left ? indenter.left() : indenter.right()) : x) - origin;
+  result.displacement = height(!beyond ? x : xi < 0 ? indenter.left() : indenter.right()) - origin;
   if (beyond) result.displacement += rise_beyond(xi);
   if (!beyond) result.friction = {problem_.friction().piece(x, Side::left), problem_.friction().piece(x, Side::right)};
   result.cumulative_load = load_before(xi);

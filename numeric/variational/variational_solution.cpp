@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "numeric/solution/largest_pressure.hpp"
 #include "numeric/variational/touching_state.hpp"
@@ -55,7 +54,8 @@ void VariationalSolution::find_runs() {
 }
 
 bool VariationalSolution::reaches_edge() const {
-  return !runs_.empty() && (runs_.front().begin == 0 || runs_.back().end == mesh().size());
+  return std::any_of(places_.begin(), places_.end(),
+                     [](const SingularPlace& place) { return place.kind == SingularKind::edge; });
 }
 
 std::vector<double> VariationalSolution::touching_pressures() const {
@@ -120,25 +120,6 @@ EstimatedError<double> VariationalSolution::estimated_error() const {
 Residuals<double> VariationalSolution::residuals() const {
   const variational::Certificate& c = found_.certificate;
   return {c.equation + c.product, std::max(c.load, c.moment), c.penetration, c.tension};
-}
-
-Attempt<double> variational_inequality(const ContactProblem& problem, const VariationalOptions& options) {
-  if (options.cells < fewest_cells || options.cells > most_cells) throw std::invalid_argument("number of cells");
-  VariationalOptions tried = options;
-  auto solution = std::make_shared<VariationalSolution>(problem, variational::solve_nested(problem, tried));
-  while (options.accuracy > 0 && tried.cells < most_cells && solution->failed_condition().empty()) {
-    const auto [ends, traction, resultants] = solution->estimated_error();
-    const double excess = std::max(ends, resultants) / options.accuracy;
-    if (excess <= 1) break;
-    // The error of ends is like the length of a cell.
-    const double factor = std::clamp(std::exp2(std::ceil(std::log2(excess))), 2.0, 64.0);
-    tried.cells = std::min(most_cells, tried.cells * static_cast<std::size_t>(factor));
-    solution = std::make_shared<VariationalSolution>(problem, variational::solve_nested(problem, tried));
-  }
-  if (problem.elasticity().indenter() && solution->reaches_edge()) {
-    return {nullptr, "the contact of an elastic indenter reaches an edge, where the half-plane idealisation fails"};
-  }
-  return {std::move(solution), {}};
 }
 
 }  // namespace steadyslide::numeric

@@ -1,5 +1,6 @@
 #pragma once
-// The solution that variational_inequality() returns: a solution on cells in the user's units and x.
+// The solution that variational_inequality() returns: a solution on cells in the user's units and x. The cells may cover
+// a part of the support; outside them there is no contact.
 
 #include "numeric/number/once.hpp"
 #include "numeric/solution/contact_solution.hpp"
@@ -20,10 +21,20 @@ class VariationalSolution : public ContactSolution<double> {
   };
   /// True if the contact reaches an end of the support.
   bool reaches_edge() const;
+  /// An interval in xi of the support's frame.
+  struct Part {
+    double left;
+    double right;
+  };
+  /// Returns the shortest part of the support that contains the contact; empty without contact.
+  std::optional<Part> contact_part() const;
+  /// Returns the shortest part of the support that contains all places outside the cells where the indenter penetrates.
+  /// The places are the middles of cells of a mesh on the support, and the breaks of the profile in its frame.
+  std::optional<Part> penetrated_part(const variational::DiscreteProblem& support,
+                                      const variational::CellProfile& profile) const;
   /// Returns the length of a cell in the user's unit.
   double cell_length() const { return unit_ * mesh().length(0); }
-  /// Returns the places and means of t for local fits, in the user's units; x is measured from the middle of the
-  /// support.
+  /// Returns the places and means of t for local fits, in the user's units; x is measured from the middle of all cells.
   variational::Cells cells() const { return {edges_, traction_}; }
   /// Returns the same on half as many cells.
   variational::Cells coarse_cells() const { return {coarse_edges_, coarse_traction_}; }
@@ -34,6 +45,10 @@ class VariationalSolution : public ContactSolution<double> {
 
   std::string method() const override { return "variational"; }
   std::string failed_condition() const override;
+  std::optional<EqualCells> equal_cells() const override {
+    const auto& [origin, unit] = mesh().frame();
+    return EqualCells{mesh().size(), origin - unit / 2, origin + unit / 2};
+  }
   std::vector<ContactComponent<double>> contact() const override;
   std::vector<SolvedSingularPoint<double>> singular_points() const override;
   Resultants<double> resultants() const override;
@@ -55,7 +70,7 @@ class VariationalSolution : public ContactSolution<double> {
 
   /// A place where the traction is singular or the profile changes its polynomial, as located on the cells.
   struct SingularPlace {
-    double x;  ///< measured from the middle of the support
+    double x;  ///< measured from the middle of all cells
     SingularKind kind;
     std::optional<Exponent> exponent;      ///< absent: logarithm, or not singular
     variational::LocalPlace surroundings;  ///< for local fits; x as above
@@ -121,7 +136,14 @@ class VariationalSolution : public ContactSolution<double> {
   double coarse_traction(std::size_t i) const;
   Estimate<double> traction(std::size_t cell) const;
   double displacement(double xi) const;
-  /// Returns a slope outside the support, on both sides of its place, with the relative error of the traction.
+  /// Returns B p of a mesh at a place outside the cells.
+  double displacement_beyond(const variational::MeshSolution& solution, double xi) const;
+  /// Returns the profile at a place of the support, in units of c P.
+  double height_in_units(const Rational& x) const;
+  bool is_on_support(const Rational& x) const;
+  /// Returns the gap from B p on this mesh and on the coarser one; `rounding` is the error of the first.
+  Estimate<double> gap(const Rational& x, double fine, double coarse, double rounding) const;
+  /// Returns a slope outside the cells, on both sides of its place, with the relative error of the traction.
   TwoSided<double> slope_beyond(double slope) const;
   Sample<double> outside(const Rational& x) const;
   std::vector<Rational> sampled_places(int count) const;
