@@ -63,6 +63,7 @@ void refuse_conflicts(const Given& given, const SolveOptions& options) {
       {given.has("--depth") && !given.has("--max-stress"), "--max-stress: missing",
        "--depth is that of the largest stress", "--depth"},
       conflict("--cells", options.cells.has_value(), {"--accuracy"}, "the accuracy chooses the cells"),
+      conflict("--certify", options.certify, {"--accuracy"}, "a proof takes equal cells on the whole support"),
       conflict("--stress-at", csv && given.has("--stress-at"),
                {"--loads-on", "--max-stress", "--at", "--at-file", "--samples"}, one_table),
       conflict("--loads-on", csv && given.has("--loads-on"), {"--max-stress", "--at", "--at-file", "--samples"},

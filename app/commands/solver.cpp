@@ -20,7 +20,7 @@ SolutionText inapplicable(const std::string& reason) {
 
 SolutionText Solver::solve_on_cells(const Problem& problem) const {
   numeric::VariationalOptions options = wanted_.variational;
-  if (!wanted_.cells_chosen) options.accuracy = default_accuracy(problem);
+  if (!wanted_.cells_chosen && !wanted_.certify) options.accuracy = default_accuracy(problem);
   const auto found = numeric::variational_inequality(problem.contact, options);
   if (!found.solution) return inapplicable(found.reason);
   SolutionWanted wanted = wanted_.solution;

@@ -37,11 +37,9 @@ inline bool takes_variational(Method method, const ContactProblem& problem, bool
 
 /// The rule for the relative error that is wanted of a solution on cells.
 inline constexpr const char* accuracy_rule = "an accuracy is at least 1e-9, and less than 1";
-/// The accuracy of a solution on cells if the user chose neither it nor the cells: 0.001 under a spline, 0 (none)
-/// elsewhere.
-inline double default_accuracy(const Problem& problem) {
-  return problem.measured && problem.measured->interpolation == Interpolation::spline ? 1e-3 : 0;
-}
+/// The accuracy of a solution on cells if the user chose neither it nor the cells: 0.001 for a measured profile, 0
+/// (none) elsewhere.
+inline double default_accuracy(const Problem& problem) { return problem.measured ? 1e-3 : 0; }
 inline bool is_accuracy(const Rational& accuracy) { return accuracy >= Rational(1, 1000000000) && accuracy < 1; }
 
 /// The rule for more than 16 digits.

@@ -11,6 +11,10 @@ namespace steadyslide {
 namespace {
 
 Proof proof_on_cells(const ContactProblem& problem, const std::vector<double>& pressures) {
+  if (pressures.empty()) {
+    return {
+        false, "the cells lie on the contact; a proof needs equal cells on the whole support: cells = 4096", "", {}};
+  }
   const enclosure::CellBound bound = enclosure::bound_cells(problem, pressures);
   return {bound.proved, bound.reason, bound.proved ? library::certificate(problem, bound) : "", {}};
 }

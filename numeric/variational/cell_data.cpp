@@ -59,10 +59,7 @@ Frame support_frame(const ContactProblem& problem) {
 }
 
 CellMesh::CellMesh(Frame frame, std::size_t cells)
-    : frame_(std::move(frame)),
-      edges_(cells + 1),
-      uniform_(true),
-      length_(1 / static_cast<double>(cells)) {
+    : frame_(std::move(frame)), edges_(cells + 1), uniform_(true), length_(1 / static_cast<double>(cells)) {
   for (std::size_t i = 0; i <= cells; ++i) edges_[i] = static_cast<double>(i) / static_cast<double>(cells) - 0.5;
 }
 

@@ -31,8 +31,8 @@ Estimate<double> known(const Estimate<double>& fine, const Estimate<double>& coa
 VariationalSolution::SingularPlace VariationalSolution::end_place(const Run& run, End end) const {
   const std::size_t cell = end == End::left ? run.begin : run.end - 1;
   const double boundary = end == End::left ? edges_[cell] : edges_[cell + 1];
-  const Rational edge = mesh().frame().origin +
-                        mesh().frame().unit * Rational(end == End::left ? mesh().left(cell) : mesh().right(cell));
+  const Rational edge =
+      mesh().frame().origin + mesh().frame().unit * Rational(end == End::left ? mesh().left(cell) : mesh().right(cell));
   // The friction piece on the contact's side of a place.
   const Side inside = opposite(end);
   const auto make = [&](double x, const Rational& exact, SingularKind kind) {

@@ -20,7 +20,7 @@
 namespace steadyslide::numeric {
 
 VariationalSolution::MeshLoads::MeshLoads(const variational::DiscreteState& state)
-    : before{0}, centre(0), tilt(state.tilt) {
+    : before{0}, centre(0), tilt(state.tilt), approach(state.approach) {
   const double cell = 1 / static_cast<double>(state.pressure.size());
   double middle = (cell - 1) / 2;
   for (const double p : state.pressure) {
@@ -58,20 +58,6 @@ std::pair<double, double> VariationalSolution::MeshLoads::largest_average(double
     }
   }
   return best;
-}
-
-template <class OnMesh>
-double VariationalSolution::open_error(OnMesh on_mesh) const {
-  double error = 0;
-  const double growth = std::exp2(mesh_rate_);
-  double weight = 2 / (growth - 1);
-  double last = on_mesh(meshes_.front());
-  for (std::size_t k = 1; k < meshes_.size(); ++k, weight /= growth) {
-    const double next = on_mesh(meshes_[k]);
-    error += weight * std::abs(next - last);
-    last = next;
-  }
-  return error;
 }
 
 double VariationalSolution::load_in_doubt(const Run& run) const {

@@ -77,10 +77,10 @@ bool VariationalSolution::is_on_support(const Rational& x) const {
 
 Estimate<double> VariationalSolution::gap(const Rational& x, double fine, double coarse, double rounding) const {
   const double height = height_in_units(x), xi = mesh().place(x);
-  const DiscreteState& other = found_.coarse.found.state;
-  const double shift = std::abs(state().approach - other.approach) + std::abs((state().tilt - other.tilt) * xi);
+  const double tilted = std::abs(xi) * open_error([](const MeshLoads& on) { return on.tilt; });
+  const double moved = open_error([](const MeshLoads& on) { return on.approach; });
   return {height_ * (height + state().tilt * xi + fine - state().approach),
-          height_ * (std::abs(fine - coarse) + shift + rounding + 1e-15 * std::abs(height))};
+          height_ * (2 * std::abs(fine - coarse) + tilted + moved + rounding + 1e-15 * std::abs(height))};
 }
 
 TwoSided<double> VariationalSolution::slope_beyond(double slope) const {

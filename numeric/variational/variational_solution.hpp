@@ -40,7 +40,7 @@ class VariationalSolution : public ContactSolution<double> {
   variational::Cells coarse_cells() const { return {coarse_edges_, coarse_traction_}; }
 
   /// Returns -t on the cells, in the user's unit, for a state that touches in every cell in contact. Error bounds use
-  /// this state. It takes some seconds on 2^16 cells.
+  /// this state. Empty if the cells do not cover the support. It takes some seconds on 2^16 cells.
   std::vector<double> touching_pressures() const;
 
   std::string method() const override { return "variational"; }
@@ -97,6 +97,7 @@ class VariationalSolution : public ContactSolution<double> {
     std::vector<double> before;  ///< the load share left of each cell; the last entry is for all cells
     double centre;               ///< centre of pressure, xi
     double tilt;
+    double approach;
     explicit MeshLoads(const variational::DiscreteState& state);
     double before_place(double xi) const;
     /// Returns the load between two places.
@@ -109,7 +110,18 @@ class VariationalSolution : public ContactSolution<double> {
   PiecewiseTraction<double> traction_on(const MeshLoads& loads) const;
   /// Returns the error of a quantity that each mesh gives, `on_mesh(MeshLoads) -> double`.
   template <class OnMesh>
-  double open_error(OnMesh on_mesh) const;
+  double open_error(OnMesh on_mesh) const {
+    double error = 0;
+    const double growth = std::exp2(mesh_rate_);
+    double weight = 2 / (growth - 1);
+    double last = on_mesh(meshes_.front());
+    for (std::size_t k = 1; k < meshes_.size(); ++k, weight /= growth) {
+      const double next = on_mesh(meshes_[k]);
+      error += weight * std::abs(next - last);
+      last = next;
+    }
+    return error;
+  }
   /// Returns the error of a run's load due to its few cells, as a fraction of P.
   double load_in_doubt(const Run& run) const;
   /// Returns the fraction of P that may lie on the other side of a friction jump at xi, next to which contact ends.
