@@ -34,7 +34,8 @@ void add(CLI::App& app, const Program& program, const Command& command, bool onl
   CLI::App* added = only ? &app : app.add_subcommand(command.name, command.help.substr(0, end));
   std::string below = last_line_open(command.help).substr(end + 2);
   if (!command.manual.empty()) {
-    below += fmt::format("\n\nEvery result, unit and column: {} --generate man | man -l -", program.name);
+    below +=
+        fmt::format("\n\nThe problem file, every result, unit and column: {} --generate man | man -l -", program.name);
   }
   added->footer(below);
   for (const Option& option : command.options) {

@@ -25,9 +25,16 @@ void write_derivations(const ContactProblem& problem, Format format, Output& out
 }
 
 void write_exponents(const ContactProblem& problem, const CommonOptions& options, bool certify, Output& output) {
-  const Column exponent_column{"exponent", certify ? Column::Holds::numbers : Column::Holds::words};
+  constexpr auto decimals = Column::Holds::decimals;
   Rows rows(options.format,
-            {"x", "kind", "side", "friction", exponent_column, "symbolic", {"latex", Column::Holds::formulas}}, output);
+            {{"x", decimals},
+             "kind",
+             "side",
+             {"friction", decimals},
+             {"exponent", certify ? Column::Holds::numbers : decimals},
+             "symbolic",
+             {"latex", Column::Holds::formulas}},
+            output);
   for (const SingularPoint& point : possible_singular_points(problem)) {
     std::vector<std::string> friction;
     for (const Rational& f : point.friction) friction.push_back(format_number(f, options.digits));

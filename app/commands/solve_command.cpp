@@ -212,8 +212,8 @@ ExitCode run_solve(const Given& given) {
 }  // namespace
 
 Command solve_command() {
-  return {"solve", std::string(embedded::help_solve).append(embedded::help_problem), solve_option_list(), run_solve,
-          std::string(embedded::help_solve_manual)};
+  return {"solve", std::string(embedded::help_solve), solve_option_list(), run_solve,
+          std::string(embedded::help_problem).append("\n").append(embedded::help_solve_manual)};
 }
 
 }  // namespace steadyslide::app

@@ -52,7 +52,7 @@ void refuse_conflicts(const Given& given, const SolveOptions& options) {
   constexpr const char* one_load_and_direction = "the intervals are those of one load and direction";
   refuse({
       conflict("--load-steps", follows, {"--at", "--at-file", "--samples"}, "samples are those of one load"),
-      conflict("--load-steps", follows, {"--stress-at", "--loads-on", "--max-stress"},
+      conflict("--load-steps", follows, {"--stress-at", "--displacement-at", "--loads-on", "--max-stress"},
                "stresses and forces are those of one load"),
       conflict("--plot", options.plot.has_value(), {"--load-steps"}, "a picture shows one solution"),
       {options.over && options.certify, "--over: conflicting option", "averages have estimates, no proof", "--certify"},
@@ -64,7 +64,10 @@ void refuse_conflicts(const Given& given, const SolveOptions& options) {
        "--depth is that of the largest stress", "--depth"},
       conflict("--cells", options.cells.has_value(), {"--accuracy"}, "the accuracy chooses the cells"),
       conflict("--certify", options.certify, {"--accuracy"}, "a proof takes equal cells on the whole support"),
+      conflict("--certify", options.certify, {"--displacement-at"}, "displacements have estimates, no proof"),
       conflict("--stress-at", csv && given.has("--stress-at"),
+               {"--displacement-at", "--loads-on", "--max-stress", "--at", "--at-file", "--samples"}, one_table),
+      conflict("--displacement-at", csv && given.has("--displacement-at"),
                {"--loads-on", "--max-stress", "--at", "--at-file", "--samples"}, one_table),
       conflict("--loads-on", csv && given.has("--loads-on"), {"--max-stress", "--at", "--at-file", "--samples"},
                one_table),
@@ -111,6 +114,7 @@ std::optional<Rational> window_wanted(const Given& given) {
 FieldWanted field_wanted(const Given& given) {
   FieldWanted wanted;
   if (const auto file = given.name("--stress-at", "file")) wanted.points = read_depth_points(*file);
+  if (const auto file = given.name("--displacement-at", "file")) wanted.displaced = read_depth_points(*file);
   if (const auto file = given.name("--loads-on", "file")) wanted.mesh = std::make_shared<MeshFile>(read_mesh(*file));
   wanted.largest_stress = given.has("--max-stress");
   if (!given.has("--depth")) return wanted;
@@ -134,7 +138,8 @@ std::vector<Option> solve_option_list() {
        {"--accuracy", "A", "More cells, until ends and resultants have this relative error: variational only"},
        {"--iterations", "N", "Most steps of the active sets on each mesh, 1 to 10000; default 100: variational only"},
        {"--plot", "FILE", "Draw indenter, surface and tractions into FILE.svg, .pdf or .png, by gnuplot"},
-       {"--stress-at", "FILE", "Stresses below the surface at the points x,z of a table, z > 0 into the body"},
+       {"--stress-at", "FILE", "Stresses at the points x,z of a table, z >= 0 into the body"},
+       {"--displacement-at", "FILE", "Displacements at the points x,z of a table, up to a constant of the half-plane"},
        {"--loads-on", "FILE", "Nodal forces on a mesh of the surface: a table of nodes x, or x,order"},
        {"--max-stress", "", "The largest von Mises stress in the body, and where; with --certify a lower bound",
         Option::Kind::flag},
@@ -191,6 +196,11 @@ void check_method(const SolveOptions& options, const Problem& problem) {
        "with them it goes with closed-form and riemann-hilbert", method},
       {options.field.largest_stress && !problem.contact.elasticity().half_space(), "--max-stress: no von Mises stress",
        "it needs the half-space's poisson in place of gamma", problem.file},
+      {!options.field.displaced.empty() && !problem.contact.elasticity().half_space(),
+       "--displacement-at: no displacement", "it needs the half-space's poisson in place of gamma", problem.file},
+      {options.certify &&
+           std::ranges::any_of(options.field.points, [](const DepthPoint& point) { return point.z == 0; }),
+       "--certify: no proved stress at the surface", "with it the points of --stress-at have depths above 0", "z = 0"},
       {options.common.digits > most_digits_of_integrals && !numeric::closed_form<double>(problem.contact).solution,
        "--digits: out of range",
        fmt::format("at most {} are proved of a solution without closed form", most_digits_of_integrals), digits},

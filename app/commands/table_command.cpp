@@ -45,9 +45,10 @@ std::vector<EndCells> end_cells(End end, const Rational& gamma, const std::vecto
 }
 
 std::vector<Column> columns(bool certify) {
-  std::vector<Column> result{"nu", "f_rear", "f_front", "gamma"};
+  std::vector<Column> result;
+  for (const char* name : {"nu", "f_rear", "f_front", "gamma"}) result.emplace_back(name, Column::Holds::decimals);
   for (const char* name : {"alpha_rear", "alpha_front", "beta", "edge_rear", "edge_front", "free_rear", "free_front"}) {
-    result.emplace_back(name, certify ? Column::Holds::numbers : Column::Holds::words);
+    result.emplace_back(name, certify ? Column::Holds::numbers : Column::Holds::decimals);
   }
   return result;
 }

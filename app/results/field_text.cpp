@@ -5,7 +5,9 @@
 #include "enclosure/contact/interior_stress.hpp"
 #include "enclosure/contact/nodal_forces.hpp"
 #include "numeric/interior/average_stress.hpp"
+#include "numeric/interior/interior_displacement.hpp"
 #include "numeric/interior/largest_stress.hpp"
+#include "numeric/interior/surface_stress.hpp"
 #include "numeric/solution/nodal_forces.hpp"
 
 namespace steadyslide::app {
@@ -33,7 +35,7 @@ class NumberWriter {
   template <Real R>
   NumberText operator()(const Estimate<R>& estimate) {
     using std::isfinite;
-    in_range_ = in_range_ && isfinite(estimate.value) && isfinite(estimate.error);
+    in_range_ = in_range_ && (!judged_ || (isfinite(estimate.value) && isfinite(estimate.error)));
     return number_text(estimate, digits_);
   }
   NumberText operator()(const Ball& ball) { return number_text(ball, digits_); }
@@ -41,12 +43,15 @@ class NumberWriter {
   NumberText operator()(const std::optional<Number>& number) {
     return number ? (*this)(*number) : NumberText{};
   }
+  /// Notes the range of the following numbers, or not.
+  void judge(bool judged) { judged_ = judged; }
   int digits() const { return digits_; }
   bool in_range() const { return in_range_; }
 
  private:
   int digits_;
   bool in_range_ = true;
+  bool judged_ = true;
 };
 
 /// Stresses as balls; stress_state.hpp does the same for estimates.
@@ -90,6 +95,7 @@ FieldText points_and_nodes(const FieldWanted& wanted, NumberWriter& number, Stat
   const auto exactly = [&](const Rational& value) { return full_number(value, number.digits()); };
   for (const auto& [x, z] : wanted.points) {
     const auto state = state_at(x, z);
+    number.judge(z > 0);  // at the surface a stress may be infinite
     StressText row{exactly(x),
                    exactly(z),
                    number(state.xx),
@@ -105,6 +111,7 @@ FieldText points_and_nodes(const FieldWanted& wanted, NumberWriter& number, Stat
     }
     text.stresses.push_back(std::move(row));
   }
+  number.judge(true);
   if (wanted.mesh) {
     const SurfaceMesh& mesh = wanted.mesh->mesh();
     const auto forces = on_mesh(*wanted.mesh, [&] { return forces_on(mesh); });
@@ -127,14 +134,24 @@ std::optional<LargestStressText::Average> average_text(const numeric::PiecewiseT
 }  // namespace
 
 template <Real R>
-FieldText field_text(const numeric::ContactSolution<R>& solution, const FieldWanted& wanted,
-                     const std::optional<Rational>& over, int digits) {
+FieldText field_text(const ContactProblem& problem, const numeric::ContactSolution<R>& solution,
+                     const FieldWanted& wanted, const std::optional<Rational>& over, int digits) {
   if (!wanted.any()) return {};
   NumberWriter number(digits);
   const numeric::InteriorStress<R> interior(solution);
   FieldText text = points_and_nodes(
-      wanted, number, [&](const Rational& x, const Rational& z) { return interior.at(x, z); },
+      wanted, number,
+      [&](const Rational& x, const Rational& z) {
+        return z > 0 ? interior.at(x, z) : numeric::surface_stress(problem.elasticity(), solution.details_at(x));
+      },
       [&](const SurfaceMesh& mesh) { return numeric::nodal_forces<R>(interior.traction(), mesh); });
+  if (!wanted.displaced.empty()) {
+    const numeric::InteriorDisplacement<R> displacement(interior.traction(), problem.origin_of_displacement());
+    for (const auto& [x, z] : wanted.displaced) {
+      const numeric::Displacement<R> there = displacement.at(x, z);
+      text.displacements.push_back({full_number(x, digits), full_number(z, digits), number(there.x), number(there.z)});
+    }
+  }
   if (wanted.largest_stress) {
     const R depth = wanted.depth ? numeric::to_real<R>(*wanted.depth) : numeric::default_depth(solution);
     LargestStressText told;
@@ -180,8 +197,8 @@ LargestStressText lower_bound(const ContactProblem& problem, const enclosure::En
   return found;
 }
 
-#define STEADYSLIDE_FIELDS_AS_TEXT(R)                                                   \
-  template FieldText field_text(const numeric::ContactSolution<R>&, const FieldWanted&, \
+#define STEADYSLIDE_FIELDS_AS_TEXT(R)                                                                          \
+  template FieldText field_text(const ContactProblem&, const numeric::ContactSolution<R>&, const FieldWanted&, \
                                 const std::optional<Rational>&, int)
 STEADYSLIDE_FIELDS_AS_TEXT(double);
 STEADYSLIDE_FIELDS_AS_TEXT(numeric::Real50);

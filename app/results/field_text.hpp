@@ -1,6 +1,6 @@
 #pragma once
-// Stresses and displacement gradients at points of the body, the largest von Mises stress, and consistent nodal forces
-// on a mesh of the surface, as texts.
+// Stresses, displacements and their gradients at points of the body, the largest von Mises stress, and consistent nodal
+// forces on a mesh of the surface, as texts.
 
 #include <array>
 #include <memory>
@@ -19,12 +19,13 @@ using namespace library;
 
 /// Every member is empty, or null, if the user did not request it.
 struct FieldWanted {
-  std::vector<DepthPoint> points;
+  std::vector<DepthPoint> points;     ///< of stresses
+  std::vector<DepthPoint> displaced;  ///< of displacements
   std::shared_ptr<const MeshFile> mesh;
   bool largest_stress = false;
   std::optional<Rational> depth;  ///< the smallest depth for the largest stress; absent for numeric::default_depth
 
-  bool any() const { return !points.empty() || mesh || largest_stress; }
+  bool any() const { return !points.empty() || !displaced.empty() || mesh || largest_stress; }
 };
 
 /// Texts are empty if the problem has no materials.
@@ -32,6 +33,11 @@ struct StressText {
   std::string x, z;
   NumberText xx, zz, xz, yy, von_mises, largest_shear;
   std::array<NumberText, 4> gradient;  ///< d u_x/dx, d u_x/dz, d u_z/dx, d u_z/dz
+};
+
+struct DisplacementText {
+  std::string x, z;
+  NumberText along, down;  ///< u_x, and u_z into the body
 };
 
 struct NodalForceText {
@@ -54,19 +60,20 @@ struct LargestStressText {
 
 struct FieldText {
   std::vector<StressText> stresses;
+  std::vector<DisplacementText> displacements;
   std::vector<NodalForceText> nodal_forces;
   std::optional<LargestStressText> largest_stress;
   bool in_range = true;  ///< false: some value is NaN or infinite
 
-  bool any() const { return !stresses.empty() || !nodal_forces.empty() || largest_stress; }
+  bool any() const { return !stresses.empty() || !displacements.empty() || !nodal_forces.empty() || largest_stress; }
 };
 
 /// Throws InvalidFile if contact lies outside the mesh. With a window `over`, the largest stress has an average.
 template <numeric::Real R>
-FieldText field_text(const numeric::ContactSolution<R>& solution, const FieldWanted& wanted,
-                     const std::optional<Rational>& over, int digits);
+FieldText field_text(const ContactProblem& problem, const numeric::ContactSolution<R>& solution,
+                     const FieldWanted& wanted, const std::optional<Rational>& over, int digits);
 
-/// The same with enclosed numbers; it has no largest stress.
+/// The same with enclosed numbers; it has no largest stress, no displacements, and no point at the surface.
 FieldText field_text(const ContactProblem& problem, const enclosure::EnclosedSolution& solution,
                      const FieldWanted& wanted, int digits);
 

@@ -28,11 +28,15 @@ std::string joined(const Cell& cell, std::string NumberText::*text = &NumberText
   return fmt::format("{}", fmt::join(texts(cell, text), " "));
 }
 
-Json json_of(const Cell& cell) {
-  if (const auto* text = std::get_if<std::string>(&cell)) return text_json(*text);
-  if (const auto* words = std::get_if<std::vector<std::string>>(&cell)) return *words;
+Json json_of(const Cell& cell, Holds holds) {
+  const auto word = holds == Holds::decimals ? decimal_json : text_json;
+  if (const auto* text = std::get_if<std::string>(&cell)) return word(*text);
   if (const auto* number = std::get_if<NumberText>(&cell)) return number_json(*number);
   Json list = Json::array();
+  if (const auto* words = std::get_if<std::vector<std::string>>(&cell)) {
+    for (const std::string& one : *words) list.push_back(word(one));
+    return list;
+  }
   for (const NumberText& number : std::get<std::vector<NumberText>>(cell)) list.push_back(number_json(number));
   return list;
 }
@@ -86,7 +90,7 @@ class JsonRows final : public RowWriter {
 
   void row(const std::vector<Cell>& cells) override {
     Json object;
-    for (std::size_t k = 0; k < cells.size(); ++k) object[columns_[k].name] = json_of(cells[k]);
+    for (std::size_t k = 0; k < cells.size(); ++k) object[columns_[k].name] = json_of(cells[k], columns_[k].holds);
     output_.write((first_ ? "[\n  " : ",\n  ") + object.dump());
     first_ = false;
   }

@@ -25,12 +25,12 @@ inline constexpr std::initializer_list<Format> all_formats{Format::text, Format:
 std::string_view format_name(Format format);
 
 struct Column {
-  enum class Holds { words, formulas, numbers };
+  enum class Holds { words, formulas, decimals, numbers };
 
   Column(const char* its_name, Holds what = Holds::words) : name(its_name), holds(what) {}
 
   std::string name;
-  Holds holds;  ///< formulas are for LaTeX's math mode; numbers have an error
+  Holds holds;  ///< formulas are for LaTeX's math mode; decimals have no error, numbers have one
 };
 
 /// A text or texts, a number or numbers. Several of them are an array in JSON, and are separated by spaces elsewhere.

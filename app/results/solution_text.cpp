@@ -182,7 +182,7 @@ SolutionText solution_text(const Problem& problem, const numeric::ContactSolutio
   if (wanted.samples > 0) writer.add_samples(text.samples, solution, wanted.samples, problem.contact);
   if (wanted.curve) writer.add_samples(text.curve, solution, curve_samples(text.contact.size()), problem.contact);
 
-  text.field = field_text(solution, wanted.field, wanted.over, wanted.digits);
+  text.field = field_text(problem.contact, solution, wanted.field, wanted.over, wanted.digits);
   if (!text.field.in_range) text.in_range = false;
   const numeric::EstimatedError<R> error = solution.estimated_error();
   writer.tell("estimated_error");

@@ -107,7 +107,7 @@ struct CellsText {
 struct SolutionText {
   std::string method;
   std::optional<CellsText> cells;  ///< of a solution on cells
-  std::string instead;  ///< not empty: another method failed before; the reason
+  std::string instead;             ///< not empty: another method failed before; the reason
   int digits = 0;
   std::vector<std::pair<EndText, EndText>> contact;
   std::vector<NumberText> width, component_load;  ///< one for each contact component

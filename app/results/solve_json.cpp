@@ -23,7 +23,9 @@ Json json_of(const NumberText& number) { return number_json(number); }
 Json json_of(const Json& json) { return json; }
 Json json_of(const std::vector<NumberText>& list) { return array(list, number_json); }
 
-Json json_of(const IntervalText& interval) { return {{"from", interval.from}, {"to", interval.to}}; }
+Json json_of(const IntervalText& interval) {
+  return {{"from", decimal_json(interval.from)}, {"to", decimal_json(interval.to)}};
+}
 
 Json json_of(const LimitText& limits) {
   if (!limits.two_sided()) return number_json(limits.left);
@@ -90,14 +92,14 @@ Json problem_json(const Problem& read) {
 }
 
 Json end_json(const EndText& end) {
-  return with(Json(), "x", end.x, "kind", end.kind, "exponent", end.exponent, "intensity", end.intensity);
+  return with(Json(), "x", end.x, "kind", end.kind, "exponent", decimal_json(end.exponent), "intensity", end.intensity);
 }
 
 Json singular_json(const SingularText& point) {
   const auto& [value, symbolic, latex] = point.exponent;
-  return with(Json(), "x", point.x, "kind", point.kind, "exponent", value, "symbolic", symbolic, "latex", latex,
-              "intensity", point.intensity, "constant", point.constant, "stress_intensity", point.stress_intensity,
-              "stress_intensity_unit", point.unit);
+  return with(Json(), "x", point.x, "kind", point.kind, "exponent", decimal_json(value), "symbolic", symbolic, "latex",
+              latex, "intensity", point.intensity, "constant", point.constant, "stress_intensity",
+              point.stress_intensity, "stress_intensity_unit", point.unit);
 }
 
 Json component_json(const SolutionText& solution, std::size_t k) {
@@ -114,7 +116,7 @@ Json contact_json(const SolutionText& solution) {
 
 Json json_of(std::size_t count) { return count; }
 Json json_of(const ResultantsText::Largest& largest) {
-  return with(Json(), "value", largest.value, "x", largest.x, "exponent", largest.exponent);
+  return with(Json(), "value", largest.value, "x", largest.x, "exponent", decimal_json(largest.exponent));
 }
 Json json_of(const answer::IntervalOf<NumberText>& interval) {
   return with(Json(), "left", interval.left, "right", interval.right);
@@ -142,8 +144,8 @@ Json resultants_json(const SolutionText& solution) {
 }
 
 Json sample_json(const SampleText& sample) {
-  Json json = with(Json(), "x", sample.x, "traction", sample.traction, "shear", sample.shear, "gap", sample.gap,
-                   "slope", sample.slope, "u", sample.displacement, "shear_slope", sample.shear_slope,
+  Json json = with(Json(), "x", decimal_json(sample.x), "traction", sample.traction, "shear", sample.shear, "gap",
+                   sample.gap, "slope", sample.slope, "u", sample.displacement, "shear_slope", sample.shear_slope,
                    "cumulative_load", sample.cumulative_load);
   const auto& [left, right] = sample.friction;
   json["friction"] = left == right ? text_json(left) : Json{{"left", left}, {"right", right}};
@@ -152,28 +154,33 @@ Json sample_json(const SampleText& sample) {
 
 Json stress_json(const StressText& at) {
   const auto& [x_x, x_z, z_x, z_z] = at.gradient;
-  Json json = with(Json(), "x", at.x, "z", at.z, "sxx", at.xx, "szz", at.zz, "sxz", at.xz, "syy", at.yy, "von_mises",
-                   at.von_mises, "largest_shear", at.largest_shear);
+  Json json = with(Json(), "x", decimal_json(at.x), "z", decimal_json(at.z), "sxx", at.xx, "szz", at.zz, "sxz", at.xz,
+                   "syy", at.yy, "von_mises", at.von_mises, "largest_shear", at.largest_shear);
   json["displacement_gradient"] = with(Json(), "dux_dx", x_x, "dux_dz", x_z, "duz_dx", z_x, "duz_dz", z_z);
   return json;
 }
 
 Json largest_stress_json(const LargestStressText& largest) {
-  Json json = with(Json(), "depth", largest.depth, "von_mises", largest.von_mises, "x", largest.x, "z", largest.z,
-                   "unbounded_at", largest.unbounded_at);
+  Json json = with(Json(), "depth", decimal_json(largest.depth), "von_mises", largest.von_mises, "x", largest.x, "z",
+                   largest.z, "unbounded_at", largest.unbounded_at);
   if (largest.proved) json["proved"] = "lower bound";
   if (const auto& average = largest.average) {
-    json["average"] =
-        with(Json(), "over", average->over, "von_mises", average->von_mises, "x", average->x, "z", average->z);
+    json["average"] = with(Json(), "over", decimal_json(average->over), "von_mises", average->von_mises, "x",
+                           average->x, "z", average->z);
   }
   return json;
 }
 
 void add_field(Json& json, const FieldText& field) {
   if (!field.stresses.empty()) json["stresses"] = array(field.stresses, stress_json);
+  if (!field.displacements.empty()) {
+    json["displacements"] = array(field.displacements, [](const DisplacementText& at) {
+      return with(Json(), "x", decimal_json(at.x), "z", decimal_json(at.z), "ux", at.along, "uz", at.down);
+    });
+  }
   if (!field.nodal_forces.empty()) {
     json["nodal_forces"] = array(field.nodal_forces, [](const NodalForceText& force) {
-      return with(Json(), "x", force.x, "normal", force.normal, "tangential", force.tangential);
+      return with(Json(), "x", decimal_json(force.x), "normal", force.normal, "tangential", force.tangential);
     });
   }
   if (field.largest_stress) json["largest_stress"] = largest_stress_json(*field.largest_stress);
@@ -181,27 +188,34 @@ void add_field(Json& json, const FieldText& field) {
 
 Json sizes_json(const std::vector<NamedSize>& sizes) {
   Json json;
-  for (const auto& [name, size] : sizes) json[name] = text_json(size);
+  for (const auto& [name, size] : sizes) json[name] = decimal_json(size);
   return json;
 }
 
 Json proof_json(const ProofText& proof) {
   if (proof.proved) return {{"status", "proved"}, {"bits", proof.bits}, {"intervals", proof.intervals}};
-  return {{"status", "not_proved"}, {"reason", proof.reason}, {"x", text_json(proof.x)}};
+  return {{"status", "not_proved"}, {"reason", proof.reason}, {"x", decimal_json(proof.x)}};
 }
 
 Json bound_json(const BoundText& bound) {
   if (!bound.proved) return {{"status", "not_proved"}, {"reason", bound.reason}};
-  return {{"status", "proved"}, {"cells", bound.cells}, {"energy", bound.energy}, {"largest_gap", bound.largest_gap}};
+  return {{"status", "proved"},
+          {"cells", bound.cells},
+          {"energy", decimal_json(bound.energy)},
+          {"largest_gap", decimal_json(bound.largest_gap)}};
 }
 
 Json tolerance_json(const ToleranceText& tolerance) {
   Json json{{"profile", tolerance.profile}, {"friction", tolerance.friction}};
   json["status"] = tolerance.proved ? "proved" : "estimated";
-  json["energy"] = tolerance.energy;
+  json["energy"] = decimal_json(tolerance.energy);
   json["load_share"] = array(tolerance.load_share, [](const IntervalText& share) { return json_of(share); });
   return with(std::move(json), "friction_force", tolerance.friction_force, "effective_friction",
               tolerance.effective_friction);
+}
+
+Json cells_json(const CellsText& cells) {
+  return {{"count", cells.count}, {"from", decimal_json(cells.from.value)}, {"to", decimal_json(cells.to.value)}};
 }
 
 Json solution_json(const SolutionText& solution) {
@@ -210,6 +224,7 @@ Json solution_json(const SolutionText& solution) {
        {"method", "digits", "contact", "singular_points", "resultants", "samples", "estimated_error", "residuals"}) {
     json[key] = solution_entry(solution, key);
   }
+  if (solution.cells) json["cells"] = cells_json(*solution.cells);
   add_field(json, solution.field);
   if (solution.proof) json["proof"] = proof_json(*solution.proof);
   if (solution.bound) json["bound"] = bound_json(*solution.bound);
@@ -242,6 +257,7 @@ void write(const Json& json, Output& output) { output.write(json.dump(2) + "\n")
 Json solution_entry(const SolutionText& solution, std::string_view key) {
   if (key == "method") return solution.method;
   if (key == "digits") return solution.digits;
+  if (key == "cells") return solution.cells ? cells_json(*solution.cells) : Json();
   if (key == "contact") return contact_json(solution);
   if (key == "singular_points") return array(solution.singular_points, singular_json);
   if (key == "resultants") return resultants_json(solution);

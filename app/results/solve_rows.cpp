@@ -53,6 +53,12 @@ void write_stresses(const SolutionText& solution, const std::vector<Cell>& first
   }
 }
 
+void write_displacements(const SolutionText& solution, const std::vector<Cell>& first, Rows& rows) {
+  for (const auto& [x, z, along, down] : solution.field.displacements) {
+    rows.row(joined<Cell>(first, {x, z, along, down}, {}));
+  }
+}
+
 void write_nodal_forces(const SolutionText& solution, const std::vector<Cell>& first, Rows& rows) {
   for (const auto& [x, normal, tangential] : solution.field.nodal_forces) {
     rows.row(joined<Cell>(first, {x, normal, tangential}, {}));
@@ -74,11 +80,15 @@ struct Table {
   void (*write)(const SolutionText& solution, const std::vector<Cell>& first, Rows& rows);
 };
 
-const std::array<Table, 4> tables{{{"stresses below the surface (tension positive; z into the body; force per area)",
+const std::array<Table, 5> tables{{{"stresses in the body (tension positive; z into the body; force per area)",
                                     [](const FieldText& field) { return !field.stresses.empty(); },
                                     {"x", "z", number("sxx"), number("szz"), number("sxz"), number("syy"),
                                      number("von_mises"), number("largest_shear")},
                                     write_stresses},
+                                   {"displacements of the body (along x, into the body; 0 where u is 0)",
+                                    [](const FieldText& field) { return !field.displacements.empty(); },
+                                    {"x", "z", number("ux"), number("uz")},
+                                    write_displacements},
                                    {"nodal forces on the body (normal into the body, tangential along +x)",
                                     [](const FieldText& field) { return !field.nodal_forces.empty(); },
                                     {"x", number("normal"), number("tangential")},
@@ -125,8 +135,11 @@ void write_csv(const Problem& problem, const BothText& both, Output& output) {
 void write_load_steps(Format format, const std::vector<LoadStep>& steps, bool certify, Output& output) {
   std::vector<Column> last{"failed_condition"};
   if (format == Format::json) last.push_back({"warnings"});
-  if (certify) last.insert(last.end(), {{"until_load"}, {"status"}, {"event"}});
-  Rows rows(format, joined({"load", "component"}, component_columns, last), output);
+  if (certify) last.insert(last.end(), {{"until_load", Column::Holds::decimals}, {"status"}, {"event"}});
+  Rows rows(
+      format,
+      joined({{"load", Column::Holds::decimals}, {"component", Column::Holds::decimals}}, component_columns, last),
+      output);
   for (const auto& [load, solution, until] : steps) {
     for (const StretchText& stretch : until) {
       std::vector<Cell> told{stretch.is_open() ? stretch.words : ""};

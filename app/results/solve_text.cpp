@@ -8,8 +8,10 @@
 namespace steadyslide::app {
 namespace {
 
-/// The text shows at most this many; other formats have all of them.
-constexpr std::size_t most_load_shares = 10;
+/// The text lists at most this many of a kind; other formats have all of them.
+constexpr std::size_t most_listed = 10;
+
+std::string and_more(std::size_t count) { return fmt::format("... and {} more (JSON has all)", count - most_listed); }
 
 /// An unknown value is shown as "-", not as an empty text.
 std::string shown(const std::string& text) { return text.empty() ? "-" : text; }
@@ -32,13 +34,15 @@ void write_problem(const ContactProblem& problem, Output& output) {
 
 /// Writes one line for each contact component.
 void write_contact(const SolutionText& solution, Output& output) {
-  for (std::size_t k = 0; k < solution.contact.size(); ++k) {
+  const std::size_t zones = solution.contact.size();
+  for (std::size_t k = 0; k < std::min(zones, most_listed); ++k) {
     const auto& [left, right] = solution.contact[k];
     output.write(fmt::format("  from x = {} ({}) to x = {} ({}), width {}", shown(left.x), left.kind, shown(right.x),
                              right.kind, shown(solution.width[k])));
-    const bool shares = solution.contact.size() > 1 && !solution.component_load[k].shown.empty();
+    const bool shares = zones > 1 && !solution.component_load[k].shown.empty();
     output.write(shares ? ", load " + solution.component_load[k].shown + "\n" : "\n");
   }
+  if (zones > most_listed) output.write("  " + and_more(zones) + "\n");
 }
 
 void write_singular_points(const SolutionText& solution, Output& output) {
@@ -54,17 +58,18 @@ void write_singular_points(const SolutionText& solution, Output& output) {
   output.write("\n" + text);
   Rows rows({"x", "kind", "exponent", "intensity", "constant", "K", "exact"}, output);
   std::map<std::string, int> unknown;
-  bool any_known = false;
+  std::size_t known = 0;
   for (const SingularText& point : solution.singular_points) {
     if (point.intensity.shown.empty()) {
       ++unknown[point.kind];
       continue;
     }
-    any_known = true;
+    if (++known > most_listed) continue;
     rows.row({shown(point.x), point.kind, point.exponent.value, point.intensity, point.constant,
               shown(point.stress_intensity), point.exponent.symbolic});
   }
-  if (unknown.empty() || any_known) rows.end();
+  if (unknown.empty() || known > 0) rows.end();
+  if (known > most_listed) output.write("  " + and_more(known) + "\n");
   for (const auto& [kind, count] : unknown)
     output.write(fmt::format("  {} {}: their intensities are not known\n", count, kind));
 }
@@ -103,12 +108,10 @@ class Lines {
   /// One line for each friction value.
   std::vector<Line> operator()(const std::string& name, const std::vector<NumberText>& numbers) const {
     std::vector<Line> lines;
-    for (std::size_t k = 0; k < std::min(numbers.size(), most_load_shares); ++k) {
+    for (std::size_t k = 0; k < std::min(numbers.size(), most_listed); ++k) {
       lines.push_back({name, shown(numbers[k]), "under f = " + exact_text(friction_[k])});
     }
-    if (numbers.size() > most_load_shares) {
-      lines.push_back({name, "", fmt::format("... and {} more", numbers.size() - most_load_shares)});
-    }
+    if (numbers.size() > most_listed) lines.push_back({name, "", and_more(numbers.size())});
     return lines;
   }
 
@@ -152,7 +155,11 @@ void write_field(const SolutionText& solution, Output& output) {
   write_field_tables(solution, output);
   if (const auto& largest = solution.field.largest_stress) {
     output.write("\nlargest von Mises stress\n");
-    for (const NumberText& x : largest->unbounded_at) write_line(output, "inf", "next to x = " + shown(x));
+    const std::vector<NumberText>& unbounded = largest->unbounded_at;
+    for (std::size_t k = 0; k < std::min(unbounded.size(), most_listed); ++k) {
+      write_line(output, "inf", "next to x = " + shown(unbounded[k]));
+    }
+    if (unbounded.size() > most_listed) output.write("  " + and_more(unbounded.size()) + "\n");
     write_line(output, shown(largest->von_mises),
                fmt::format("at x = {}, z = {} (depths from {})", shown(largest->x), shown(largest->z), largest->depth));
     if (largest->proved) output.write("  proved of this place; that no other one has more is not\n");
@@ -198,12 +205,10 @@ void write_tolerance(const Problem& problem, const ToleranceText& tolerance, Out
     write_line(output, name, fmt::format("from {} to {}{}", interval.from, interval.to, which));
   };
   const std::vector<Rational>& friction = problem.contact.friction().values();
-  for (std::size_t k = 0; k < std::min(tolerance.load_share.size(), most_load_shares); ++k) {
+  for (std::size_t k = 0; k < std::min(tolerance.load_share.size(), most_listed); ++k) {
     line(k == 0 ? "load share" : "", tolerance.load_share[k], " under f = " + exact_text(friction[k]));
   }
-  if (tolerance.load_share.size() > most_load_shares) {
-    write_line(output, "", fmt::format("... and {} more", tolerance.load_share.size() - most_load_shares));
-  }
+  if (tolerance.load_share.size() > most_listed) write_line(output, "", and_more(tolerance.load_share.size()));
   line("friction force", tolerance.friction_force, "");
   line("effective friction", tolerance.effective_friction, "");
 }

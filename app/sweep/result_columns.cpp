@@ -15,12 +15,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array all_entries{"method",          "digits",    "contact",        "singular_points", "resultants",
-                                 "estimated_error", "residuals", "largest_stress", "uniqueness",      "warnings"};
+constexpr std::array all_entries{"method",          "digits",     "cells",           "contact",
+                                 "singular_points", "resultants", "estimated_error", "residuals",
+                                 "largest_stress",  "uniqueness", "warnings"};
 
 /// A result with all possible keys, without values. No problem is solved for it.
 SolutionText all_keys() {
   SolutionText keys;
+  keys.cells.emplace();
   keys.contact.resize(1);
   keys.width.resize(1);
   keys.component_load.resize(1);
@@ -63,6 +65,7 @@ bool is_number(const Json& json) { return json.is_object() && json.contains("err
 std::string text_of(const Json& json, const char* part) {
   if (json.is_null()) return "";
   if (json.is_string()) return json.get<std::string>();
+  if (json.is_number()) return full_number(json.get<double>(), 16);
   if (!json.is_structured()) return json.dump();
   if (is_number(json)) return text_of(json.at(part), part);
   // Two limits that differ in this solution; the shape with which the name was checked has one.

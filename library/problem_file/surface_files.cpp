@@ -22,7 +22,7 @@ std::vector<DepthPoint> parse_depth_points(std::string_view text, const std::str
   std::vector<DepthPoint> points;
   reader.read(text, [&](std::vector<Rational>& row) {
     check_room(reader, points.size(), "points");
-    if (row[1] <= 0) throw reader.error("z: not inside the body", "the depth z is positive", to_string(row[1]));
+    if (row[1] < 0) throw reader.error("z: outside the body", "the depth z is at least 0", to_string(row[1]));
     points.push_back({std::move(row[0]), std::move(row[1])});
   });
   if (points.empty()) throw reader.error("no points", "there is at least one line x,z", "0 points");

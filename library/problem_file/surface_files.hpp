@@ -2,7 +2,7 @@
 // Points below the surface, places and nodes on it, as tables (table_reader.hpp):
 //
 //   x         places of samples,
-//   x,z       points of stresses, z > 0 the depth,
+//   x,z       points of stresses and displacements, z >= 0 the depth,
 //   x         nodes of linear elements, x increasing,
 //   x,order   the same with elements of order 1 or 2, one order for all; order 2: every second node is a midside one.
 //

@@ -56,25 +56,29 @@ Rational size_of_slope(const Polynomial& polynomial, const Rational& x) {
   return size;
 }
 
-/// The breaks whose kink is at most as large as 16 roundings to double of both slopes. Such kinks come from
-/// coefficients that a program has written.
-std::vector<Rational> rounded_kinks(const Indenter& indenter) {
+/// The breaks whose kink is at most as large as 16 roundings to double of both slopes, or of a measured height over the
+/// shorter piece. Such kinks come from numbers that a program has written.
+std::vector<Rational> rounded_kinks(const Indenter& indenter, bool is_measured) {
   const Integer roundings = Integer(1) << (std::numeric_limits<double>::digits - 4);
   std::vector<Rational> result;
   const std::vector<Indenter::Break>& breaks = indenter.breaks();
   for (std::size_t k = 0; k < breaks.size(); ++k) {
     const Rational& x = breaks[k].x;
-    const Rational size =
-        size_of_slope(indenter.pieces()[k].profile, x) + size_of_slope(indenter.pieces()[k + 1].profile, x);
+    Rational size = size_of_slope(indenter.pieces()[k].profile, x) + size_of_slope(indenter.pieces()[k + 1].profile, x);
+    if (is_measured) {
+      const Rational before = x - (k == 0 ? indenter.left() : breaks[k - 1].x);
+      const Rational behind = (k + 1 < breaks.size() ? breaks[k + 1].x : indenter.right()) - x;
+      size += abs(indenter.pieces()[k].profile(x)) / std::min(before, behind);
+    }
     if (breaks[k].step == 0 && abs(breaks[k].wedge) * roundings <= size) result.push_back(x);
   }
   return result;
 }
 
 template <Real R>
-std::string gaps_unresolved(std::vector<numeric::UnresolvedGap<R>> gaps, const Indenter& indenter) {
+std::string gaps_unresolved(std::vector<numeric::UnresolvedGap<R>> gaps, const Indenter& indenter, bool is_measured) {
   if (gaps.empty()) return "";
-  for (const Rational& x : rounded_kinks(indenter)) {
+  for (const Rational& x : rounded_kinks(indenter, is_measured)) {
     std::erase_if(gaps, [at = numeric::to_real<R>(x)](const auto& gap) { return gap.x.value == at; });
   }
   if (gaps.empty()) return "";
@@ -90,6 +94,22 @@ std::string gaps_unresolved(std::vector<numeric::UnresolvedGap<R>> gaps, const I
          named;
 }
 
+/// Linear elasticity is for small slopes.
+std::string steep_slopes(const Indenter& indenter) {
+  constexpr double steep = 1;
+  double largest = 0;
+  Rational left = indenter.left();
+  for (const Indenter::Piece& piece : indenter.pieces()) {
+    const Polynomial slope = piece.profile.derivative();
+    for (const Rational& x : {left, piece.to})
+      largest = std::max(largest, std::abs(numeric::to_real<double>(slope(x))));
+    left = piece.to;
+  }
+  if (largest <= steep) return "";
+  return "slopes of the measured profile reach " + format_number(largest, 2) +
+         "; are the units of x and of the heights right (x_unit, height_unit)?";
+}
+
 }  // namespace
 
 template <Real R>
@@ -101,11 +121,13 @@ std::vector<std::string> warnings(const Problem& problem, const numeric::Contact
     result.push_back(fmt::format("{}: {}; more than {} of {}; {}", error.name, estimated_error_warning,
                                  percent(large_error), error.of, percent(error.value)));
   }
-  std::string unresolved = gaps_unresolved(solution.unresolved_gaps(), problem.contact.indenter());
+  std::string unresolved =
+      gaps_unresolved(solution.unresolved_gaps(), problem.contact.indenter(), problem.measured.has_value());
   if (!unresolved.empty()) result.push_back(std::move(unresolved));
   if (!problem.measured) return result;
   const std::vector<ContactComponent<R>> contact = solution.contact();
-  for (const std::string& line : {cut_end(contact), sliver_only(problem.contact.indenter(), contact)}) {
+  const Indenter& indenter = problem.contact.indenter();
+  for (const std::string& line : {steep_slopes(indenter), cut_end(contact), sliver_only(indenter, contact)}) {
     if (!line.empty()) result.push_back(line);
   }
   return result;

@@ -62,6 +62,7 @@ mesh.write_text("x\n-2\n-0.5\n0.5\n2\n")
 
 several = {
     "stresses and forces": ("parabola.toml", "--stress-at", str(points), "--loads-on", str(mesh), "--max-stress"),
+    "both ways": ("parabola.toml", "--both-directions", "--stress-at", str(points), "--max-stress"),
     "other direction": ("parabola_rough_rear.toml", "--both-directions", "--at", "0"),
     "40 digits": ("wedge.toml", "--digits", "40"),
     "cells": ("parabola.toml", "--method", "variational", "--cells", "256", "--samples", "4"),
@@ -81,7 +82,7 @@ changes = {
     "a key less": lambda d: d["resultants"].pop("friction_force"),
     "an error less": lambda d: d["samples"][0]["u"].pop("error"),
     "an unknown key": lambda d: d["contact"][0].update(colour="red"),
-    "a number that is no text": lambda d: d["resultants"]["normal"].update(value=1.0),
+    "a number that is a list": lambda d: d["resultants"]["normal"].update(value=[1.0]),
     "a text that is no number": lambda d: d["resultants"]["normal"].update(value="one"),
     "an unknown kind": lambda d: d["contact"][0]["left"].update(kind="corner"),
     "another schema": lambda d: d.update(schema=1),
@@ -98,9 +99,9 @@ for what, change in changes.items():
     if validator.is_valid(broken):
         failures.append(f"control: {what} is not noticed")
 row = copy.deepcopy(documents["loads"])
-row[0]["component"] = 1
+row[0]["component"] = "one"
 if validator.is_valid(row):
-    failures.append("control: a component that is no text is not noticed")
+    failures.append("control: a component that is no number is not noticed")
 
 print("\n".join(failures) or f"{len(several) + len(changes)} kinds of answers and controls")
 sys.exit(1 if failures else 0)

@@ -33,8 +33,11 @@ inline bool is_number(const Json& json) { return json.is_object() && (json.conta
 
 /// Returns the value of a number with an error; other JSON unchanged.
 inline const Json& value_of(const Json& json) { return is_number(json) ? json.front() : json; }
-inline Rational number(const Json& json) { return parse_rational(value_of(json).get<std::string>()); }
-inline Rational error_of(const Json& number) { return parse_rational(number.back().get<std::string>()); }
+inline std::string text_of(const Json& decimal) {
+  return decimal.is_string() ? decimal.get<std::string>() : decimal.dump();
+}
+inline Rational number(const Json& json) { return parse_rational(text_of(value_of(json))); }
+inline Rational error_of(const Json& number) { return parse_rational(text_of(number.back())); }
 
 /// Sums `visit(a, b)` over the numbers of `json` that have an error and the numbers at the same places of `other`.
 template <class Visit>
@@ -55,7 +58,7 @@ int sum_over_numbers(const Json& json, const Json& other, const Visit& visit) {
   return sum;
 }
 
-inline double real(const Json& json) { return std::stod(value_of(json).get<std::string>()); }
+inline double real(const Json& json) { return std::stod(text_of(value_of(json))); }
 /// The number, or the limit from this side.
 inline double real_on(const Json& json, const char* side) { return real(json.contains(side) ? json.at(side) : json); }
 

@@ -82,7 +82,7 @@ TEST_CASE("load steps are proved, and all loads between them") {
   std::string statuses;
   for (const Json& row : rows) {
     CHECK(row["failed_condition"].is_null());
-    statuses += row["load"].get<std::string>() + (row["until_load"].is_null() ? " " : "-");
+    statuses += text_of(row["load"]) + (row["until_load"].is_null() ? " " : "-");
     CHECK(row["status"] == "proved");
     if (row["until_load"].is_null()) CHECK(error_of(row["effective_friction"]) < 1e-29_r);
   }

@@ -21,7 +21,7 @@ Json fields_of(const Arguments& arguments, const std::string& problem = coated) 
 }
 
 double real_at(const Json& object, const std::string& key) { return real(object.at(key)); }
-double error(const Json& number) { return std::stod(number.back().get<std::string>()); }
+double error(const Json& number) { return std::stod(text_of(number.back())); }
 double error_at(const Json& object, const std::string& key) { return error(object.at(key)); }
 
 /// Compares all numbers of an object, and of the objects in it.
@@ -92,9 +92,9 @@ TEST_CASE("reduced data have no stress out of the plane, no von Mises stress and
 
 TEST_CASE("the largest stress: its place, its depth, and where there is no bound") {
   const Json largest = fields_of({"--max-stress"}).at("largest_stress");
-  CHECK(largest.at("depth") == "0.02");
+  CHECK(real_at(largest, "depth") == 0.02);
   REQUIRE(largest.at("unbounded_at").size() == 3);
-  CHECK(value_of(largest.at("unbounded_at")[1]) == "0.1");
+  CHECK(real(largest.at("unbounded_at")[1]) == 0.1);
   CHECK(real_at(largest, "z") >= 0.02);
   const Json deeper = fields_of({"--max-stress", "--depth", "1/10"}).at("largest_stress");
   CHECK(real_at(deeper, "z") >= 0.1);
@@ -141,6 +141,63 @@ TEST_CASE("with a proof the text calls the largest stress a lower bound") {
     CHECK(holds(text, place));
     CHECK(holds(text, "  proved of this place; that no other one has more is not\n"));
   }
+}
+
+TEST_CASE("stresses at the surface are those of the traction, and the limits of stresses below it") {
+  const TemporaryFolder folder{{"p.toml", coated}, {"points.csv", "0.5,0\n0.5,1e-9\n1.5,0\n-1,0\n"}};
+  const Json json = Json::parse(
+      out_of(folder.run({"solve", "p.toml", "--stress-at", "points.csv", "--at", "0.5", "--format", "json"})));
+  const Json &surface = json["stresses"][0], &below = json["stresses"][1], &sample = json["samples"][0];
+  CHECK(surface["z"] == 0);
+  CHECK(real_at(surface, "szz") == real_at(sample, "traction"));
+  CHECK(real_at(surface, "sxz") == -real_at(sample, "shear"));
+  for (const char* key : {"sxx", "szz", "sxz", "syy", "von_mises", "largest_shear"}) {
+    CHECK(real_at(surface, key) == doctest::Approx(real_at(below, key)).epsilon(1e-6));
+  }
+  CHECK(real_at(json["stresses"][2], "szz") == 0);
+  CHECK(value_of(json["stresses"][3]["szz"]) == "-inf");
+  CHECK(value_of(json["stresses"][3]["von_mises"]).is_null());
+  check_refused(folder.run({"solve", "p.toml", "--stress-at", "points.csv", "--certify"}),
+                "command line: --certify: no proved stress at the surface; with it the points of --stress-at have "
+                "depths above 0; 'z = 0'");
+}
+
+TEST_CASE("displacements: u at the surface, its sign, its zero, and both directions") {
+  const TemporaryFolder folder{{"p.toml", coated}, {"points.csv", "x,z\n0,0\n0.5,0\n-2,0\n0.5,0.25\n0.5,0.251\n"}};
+  const Arguments files{"solve", "p.toml", "--displacement-at", "points.csv"};
+  for (const char* method : {"auto", "riemann-hilbert", "variational"}) {
+    CAPTURE(method);
+    const Json json = Json::parse(out_of(folder.run(
+        joined(files, {"--method", method, "--at=0,0.5,-2", "--stress-at", "points.csv", "--format", "json"}))));
+    const Json &moved = json["displacements"], &stress = json["stresses"];
+    REQUIRE(moved.size() == 5);
+    for (const std::size_t k : {0, 1, 2}) {
+      const double u = real_at(json["samples"][k], "u");
+      CHECK(std::abs(real_at(moved[k], "uz") + u) <=
+            error_at(moved[k], "uz") + error_at(json["samples"][k], "u") + 1e-14);
+    }
+    CHECK(real_at(moved[0], "ux") == 0);
+    // The gradient of the stresses, by a difference.
+    for (const auto& [key, slope] : {std::pair("ux", "dux_dz"), {"uz", "duz_dz"}}) {
+      const double difference = (real_at(moved[4], key) - real_at(moved[3], key)) / 0.001;
+      CHECK(difference == doctest::Approx(real_at(stress[3]["displacement_gradient"], slope)).epsilon(0.02));
+    }
+  }
+  const auto rows = lines(out_of(folder.run(joined(files, {"--format", "csv", "--both-directions"}))));
+  REQUIRE(rows.size() == 11);
+  CHECK(rows[0] == "sliding,x,z,ux,uz,ux_error,uz_error");
+  CHECK(rows[2].starts_with("+x,0.5,0,"));
+  CHECK(rows[7].starts_with("-x,0.5,0,"));
+  CHECK(rows[2].substr(2) != rows[7].substr(2));
+  CHECK(holds(out_of(folder.run(files)), "displacements of the body (along x, into the body; 0 where u is 0)\n  x "));
+  folder.write("p.toml", reduced);
+  check_refused(
+      folder.run(files),
+      "command line: --displacement-at: no displacement; it needs the half-space's poisson in place of gamma; "
+      "'p.toml'");
+  check_refused(folder.run(joined(files, {"--certify"})),
+                "command line: --certify: conflicting option; displacements have estimates, no proof; "
+                "'--displacement-at'");
 }
 
 TEST_CASE("fields that the problem or the method does not have are refused") {

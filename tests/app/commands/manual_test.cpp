@@ -56,7 +56,8 @@ TEST_CASE("the manual page has every command, its options and the text below the
     const std::string help = out_of(run_alone({command, "--help"}));
     CHECK(lines(help).size() <= 80);  // two screens
     const std::size_t below = help.find("\n\n", help.find("\nOptions:\n"));
-    const std::size_t pointer = help.find("\n\nEvery result, unit and column: steadyslide --generate man");
+    const std::size_t pointer =
+        help.find("\n\nThe problem file, every result, unit and column: steadyslide --generate man");
     CHECK((pointer != std::string::npos) == (command == "solve"));
     const std::size_t end = std::min(pointer, help.find_last_not_of('\n') + 1);
     CHECK(holds(section, help.substr(below + 2, end - below - 2)));

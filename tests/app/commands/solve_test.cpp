@@ -55,7 +55,7 @@ TEST_CASE("16 digits give the doubles back: |shear| is f |traction| to the last 
   for (const Json& sample : json["samples"]) {
     const double traction = real(sample["traction"]), shear = real(sample["shear"]);
     if (traction == 0) continue;
-    const double f = std::stod(sample["x"].get<std::string>()) < 0 ? 0.2 : 1.2;
+    const double f = real(sample["x"]) < 0 ? 0.2 : 1.2;
     CHECK(shear == -f * traction);
   }
 }
@@ -78,7 +78,7 @@ TEST_CASE("tilt: only with load_at, and the pressure's centre lies under the loa
     CHECK(holds(run(tilting).out, "  tilt "));
     CHECK(json["uniqueness"]["reason"] == "uniqueness theorem for a given line of action");
     // The same problem with the slope in the profile, and with an indenter that cannot tilt.
-    const std::string tilt = json["resultants"]["tilt"]["value"].get<std::string>();
+    const std::string tilt = text_of(json["resultants"]["tilt"]["value"]);
     const Json fixed = solve(replaced(coated_punch, "profile = \"0\"", "profile = \"" + tilt + "*x\""));
     CHECK(near(fixed["resultants"]["centre_of_pressure"], at, "1e-11"));
     CHECK(near(fixed["resultants"]["effective_friction"], json["resultants"]["effective_friction"], "1e-11"));
@@ -102,10 +102,10 @@ TEST_CASE("text shows ten of many load shares, other formats show all") {
   };
   const std::string ten = output(coatings(10));
   CHECK(told(ten) == 10);
-  CHECK_FALSE(holds(ten, "... and"));
+  CHECK(times(ten, "... and 1 more") == 1);  // of eleven singular points
   const std::string twelve = output(coatings(12));
   CHECK(told(twelve) == 10);
-  CHECK(holds(twelve, "                        ... and 2 more\n"));
+  CHECK(holds(twelve, "                        ... and 2 more (JSON has all)\n"));
   CHECK(told(output(coatings(12), {"--both-directions"})) == 20);
   CHECK(Json::parse(output(coatings(12), {"--format", "json"})).at("resultants").at("load_share").size() == 12);
 }

@@ -140,7 +140,7 @@ TEST_CASE("the largest stress is at the place that solve finds, and contours hav
       output(GivenProblem{"0.3", "0.2", "", "x^2/2", "0.02"}.toml(), {"--max-stress", "--format", "json"});
   const std::string told = text.substr(text.find("\"largest_stress\""));
   const auto value_of = [](const std::string& in, const char* key) {
-    return value_after(in.substr(in.find(std::string("\"") + key + "\":")), "\"value\": \"");
+    return value_after(in.substr(in.find(std::string("\"") + key + "\":")), "\"value\": ");
   };
   const auto number = [&](const char* key) { return value_of(told, key); };
   const double a = value_of(text, "contact_width") / 2;

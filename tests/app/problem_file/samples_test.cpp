@@ -65,12 +65,12 @@ TEST_CASE("the Riemann-Hilbert method takes at most 200 breaks with more than 16
 }
 
 TEST_CASE("a trace with units, changed sign and subtracted trend is the measured profile") {
-  // x^2 in mm over [-1, 1] mm: once plain, once in um, towards the body, with a slope and an offset added.
+  // x^2/2 in mm over [-1, 1] mm: once plain, once in um, towards the body, with a slope and an offset added.
   std::string plain, measured;
   for (int k = -200; k <= 200; ++k) {
     const Rational x(k, 200);
-    plain += to_string(x) + "," + to_string(x * x) + "\n";
-    measured += to_string(x) + "," + to_string(-1000 * (x * x + 3 * x / 10 + 7)) + "\n";
+    plain += to_string(x) + "," + to_string(x * x / 2) + "\n";
+    measured += to_string(x) + "," + to_string(-1000 * (x * x / 2 + 3 * x / 10 + 7)) + "\n";
   }
   const TemporaryFolder folder{{"plain.csv", plain}, {"measured.csv", measured}};
   const auto run_on_cells = [&](const std::string& indenter) {
@@ -97,8 +97,8 @@ TEST_CASE("a trace with units, changed sign and subtracted trend is the measured
   CHECK(keys(indenter["detrend"]) == "taken_off height slope");
   CHECK(indenter["detrend"]["taken_off"] == "line");
   CHECK(number(indenter["detrend"]["slope"]) == Rational(3, 10));
-  // 7 and the mean of x^2, (200 * 201 * 401) / (3 * 401 * 200^2).
-  CHECK(number(indenter["detrend"]["height"]) == 7 + Rational(200 * 201, 3 * 200 * 200));
+  // 7 and half the mean of x^2, (200 * 201 * 401) / (3 * 401 * 200^2).
+  CHECK(number(indenter["detrend"]["height"]) == 7 + Rational(200 * 201, 2 * 3 * 200 * 200));
   CHECK(keys(expected["problem"]["indenter"]) == "support samples points");
 
   // The labels of lengths in the picture.
@@ -122,7 +122,7 @@ TEST_CASE("a filter and a spline are named in the answer, and leave no wedge") {
   std::string points;
   for (int k = -40; k <= 40; ++k) {
     const Rational x(k, 40);
-    points += to_string(x) + "," + to_string(500 * x * x + (k % 2 == 0 ? 1 : -1)) + "\n";
+    points += to_string(x) + "," + to_string(400 * x * x + (k % 2 == 0 ? 1 : -1)) + "\n";
   }
   const TemporaryFolder folder{{"rough.csv", points}};
   const auto samples = [](const std::string& more) {
@@ -194,7 +194,7 @@ TEST_CASE("a small spline is proved, and -v says which method was taken") {
   std::string points;
   for (int k = -5; k < 5; ++k) {
     const Rational x(2 * k + 1, 9);
-    points += to_string(x) + "," + to_string(x * x + x * x * x / 7) + "\n";
+    points += to_string(x) + "," + to_string((x * x + x * x * x / 7) / 4) + "\n";
   }
   const TemporaryFolder folder{{"ten.csv", points}};
   const Finished proved = folder.run({"solve", "-", "--certify", "-v"},
