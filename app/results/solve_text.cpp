@@ -220,7 +220,7 @@ void write_text(const Problem& problem, const SolutionText& solution, Output& ou
   const std::string& method = solution.instead.empty() ? "method " + solution.method : solution.instead;
   output.write(fmt::format("{}, {} digits", method, solution.digits));
   if (const auto& cells = solution.cells) {
-    output.write(fmt::format(", {} cells from x = {} to {}", cells->count, cells->from.shown, cells->to.shown));
+    output.write(fmt::format(", {} cells on [{}, {}]", cells->count, cells->from.shown, cells->to.shown));
   }
   output.write("\n\ncontact\n");
   write_contact(solution, output);

@@ -261,7 +261,8 @@ struct SolveOptions {
   std::string method = "auto";      ///< or closed-form, riemann-hilbert, variational
   std::optional<int> cells{};       ///< number of cells of the variational method, 16 to 4194304
   std::optional<int> iterations{};  ///< most steps of its active sets on each mesh, 1 to 10000
-  /// The relative error of ends and resultants for which it takes more and more cells, 1e-9 to 1.
+  /// The relative error of ends and resultants for which it takes more and more cells on the contact, 1e-9 to 1; for a
+  /// measured profile without `cells` 1e-3.
   std::optional<double> accuracy{};
   std::optional<Exact> over{};  ///< the length of the window of largest_average
 };

@@ -16,8 +16,10 @@ inline constexpr std::size_t most_cells = std::size_t{1} << 22;
 
 struct VariationalOptions {
   std::size_t cells = 4096;  ///< equal cells on the support, fewest_cells to most_cells
-  /// The wanted relative error of ends and resultants; 0 for none. As long as the estimated error is larger, the problem
-  /// is solved on more cells, up to most_cells.
+  /// The wanted relative error of ends and resultants; 0 for none. If there is one, the solution on the support's cells
+  /// only locates the contact. As long as the estimated error is larger, the problem is solved on more cells, up to
+  /// most_cells, on the part of the support around the contact. The part grows to any place outside it where the
+  /// indenter penetrates.
   double accuracy = 0;
   int most_steps = 100;  ///< largest number of active-set steps on each of the nested meshes
   variational::FrictionRule friction_rule = variational::FrictionRule::damped;

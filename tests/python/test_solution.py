@@ -35,7 +35,7 @@ def test_the_command_line_says_the_same(name, digits):
 
     def same(number, told):
         text = told["value"] if isinstance(told, dict) else told
-        assert (number.digits if digits > 16 else float(text)) == (text if digits > 16 else number)
+        assert (number.digits if digits > 16 else float(text)) == (str(text) if digits > 16 else number)
 
     assert solution.method == told["method"]
     assert solution.solved

@@ -67,7 +67,7 @@ TEST_CASE("a trace that is cut too early: the warning names contact at its end")
 
 TEST_CASE("heights in the wrong unit: slopes are steep, and a contact of one cell is no solution") {
   const std::string question =
-      "slopes of the measured profile reach 630; are the units of x and of the heights right (x_unit, height_unit)?";
+      "slopes of the measured profile reach 6.3e2; are the units of x and of the heights right (x_unit, height_unit)?";
   const Answer accurate = solve_trace(in_micrometres);
   CHECK(accurate.code == 0);
   CHECK(accurate.json["warnings"].front() == question);
