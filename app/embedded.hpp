@@ -1,6 +1,7 @@
 #pragma once
 // Files of the source tree that the build puts into the executable (cmake/embed.cmake).
 
+#include <string>
 #include <string_view>
 
 #include "library/text/version.hpp"
@@ -8,6 +9,9 @@
 namespace steadyslide::app {
 
 using library::version;
+
+/// Returns the commit that a program with the ledger was built from; empty if it is not known.
+std::string commit();
 
 namespace embedded {
 
@@ -33,7 +37,7 @@ extern const std::string_view tools_html;   ///< above the ledger: filter, order
 extern const std::string_view guide_html;   ///< instructions for reading the ledger
 extern const std::string_view report_css;
 extern const std::string_view report_js;
-extern const std::string_view sketch_svg;  ///< a picture of the problem
+extern const std::string_view sketch_svg;  ///< docs/sketch.svg
 extern const std::string_view result_txt;  ///< the main result, with formulas between backticks
 extern const std::string_view references_md;
 extern const std::string_view theory_md;  ///< symbols, and the words and data of the tables of exponents

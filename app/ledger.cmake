@@ -4,8 +4,8 @@ foreach(name IN ITEMS verify figures report)
 endforeach()
 foreach(file IN ITEMS tables/preamble.tex ../examples/rough_surface.csv ../docs/mutants.csv ../docs/references.md
              ../docs/theory.md report/page/report.html report/page/tools.html
-             report/page/guide.html report/page/report.css report/page/report.js report/page/sketch.svg
-             report/page/result.txt)
+             report/page/guide.html report/page/report.css report/page/report.js report/page/result.txt
+             ../docs/sketch.svg)
   cmake_path(GET file FILENAME name)
   string(MAKE_C_IDENTIFIER ${name} name)
   steadyslide_embed(ledger_sources ${embedded} ${name} ${file})

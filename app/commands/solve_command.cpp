@@ -81,7 +81,7 @@ ExitCode solve_both_directions(const SolveOptions& options, const Problem& probl
   Output output(options.common.output);
   std::optional<Output> plot = started_plot(options, wanted);
   const Problem turned{problem.contact.with_sliding(opposite(problem.contact.sliding())), problem.file,
-                       problem.measured, problem.friction_file};
+                       problem.measured, problem.friction_file, problem.units};
   BothText both{solve_shown(options, problem, wanted), solve_shown(options, turned, wanted), {}};
   for (const auto& [way, solution] : {std::pair(&problem, &both.as_given), {&turned, &both.opposite}}) {
     if (!solution->reason.empty()) throw inapplicable(problem, options.method, solution->reason);
@@ -137,7 +137,7 @@ FollowedLoads solved_steps(const SolveOptions& options, const Problem& problem, 
   wanted.variational.progress = follow(progress);
   Solver solver(std::move(wanted));
   for (const Rational& load : loads) {
-    const Problem loaded{problem.contact.with_load(load), problem.file, problem.measured, problem.friction_file};
+    const Problem loaded{problem.contact.with_load(load), problem.file, problem.measured, problem.friction_file, problem.units};
     LoadStep step{full_number(load, options.common.digits), solver.solve(loaded), {}};
     explain(options, loaded, step.solution);
     if (options.certify && !steps.empty()) {

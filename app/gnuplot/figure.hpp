@@ -11,6 +11,9 @@
 
 namespace steadyslide::app {
 
+/// Returns a plain text in gnuplot's enhanced text.
+std::string enhanced(const std::string& plain);
+
 struct Point {
   double x;
   double y;
@@ -78,7 +81,8 @@ struct HeatMap {
   std::vector<double> contours;  ///< drawn as lines, with their values
 };
 
-enum class LegendAt { none, top_left, top_centre, top_right, right_of_centre, below };
+/// `row_above` and `row_below` are rows outside of the axes, where they cover no curve.
+enum class LegendAt { none, top_left, top_centre, top_right, right_of_centre, below, row_above, row_below };
 
 /// The place of a panel's axes, as fractions of the figure's width and height.
 struct Frame {

@@ -12,6 +12,8 @@ namespace steadyslide::app {
 namespace {
 
 constexpr int width = 800;
+/// In pixels: the distance of a legend from the axes above it and below it, with their numbers and label.
+constexpr double legend_row = 4, axis_labels = 60;
 
 /// Colours of Okabe and Ito: they stay distinct for the colour-blind and in grey print. Each has its own dashes, mark
 /// and tint for areas.
@@ -136,10 +138,10 @@ class Script {
                         : "nohead back lw 1 dt (4,3) lc rgb '#606060'");
     }
     if (k == 0) {
-      line("set label {} at screen 0.5, screen {} center font ',16'", quoted(plain(figure_.title)),
+      line("set label {} at screen 0.5, screen {} center font ',16'", quoted(enhanced(figure_.title)),
            number(1 - 18.0 / figure_.height));
       line("set label {} at screen 0.995, screen {} right front font ',10' textcolor rgb '#808080'",
-           quoted(plain(figure_.command())), number(9.0 / figure_.height));
+           quoted(enhanced(figure_.command())), number(9.0 / figure_.height));
     }
     std::vector<std::string> plots;
     if (panel.map) map(*panel.map, panel.frame, k, plots);
@@ -163,11 +165,18 @@ class Script {
       case LegendAt::top_centre: return "inside top center";
       case LegendAt::top_right: return "inside top right";
       case LegendAt::right_of_centre: return "at graph 0.56, graph 0.97 left top";
+      case LegendAt::row_above: return row_at(panel.frame, panel.frame.top + legend_row / figure_.height, "bottom");
+      case LegendAt::row_below: return row_at(panel.frame, panel.frame.bottom - axis_labels / figure_.height, "top");
       case LegendAt::below: break;
     }
     // Below the label of the axis.
     return fmt::format("at screen {}, screen {} left top", number(panel.frame.left - 0.06),
                        number(panel.frame.bottom - 64.0 / figure_.height));
+  }
+
+  std::string row_at(const Frame& frame, double y, const char* align) const {
+    return fmt::format("at screen {}, screen {} center {} horizontal", number((frame.left + frame.right) / 2),
+                       number(y), align);
   }
 
   void data(const std::string& name, const Series& series) {
@@ -215,20 +224,19 @@ class Script {
                     k));
   }
 
-  /// Escapes the special characters of enhanced text.
-  static std::string plain(const std::string& text) {
-    std::string result;
-    for (const char c : text)
-      result += std::string("_^{}@&~\\").find(c) == std::string::npos ? std::string(1, c) : std::string("\\") + c;
-    return result;
-  }
-
   const Figure& figure_;
   Picture picture_;
   std::string text_;
 };
 
 }  // namespace
+
+std::string enhanced(const std::string& plain) {
+  std::string result;
+  for (const char c : plain)
+    result += std::string("_^{}@&~\\").find(c) == std::string::npos ? std::string(1, c) : std::string("\\") + c;
+  return result;
+}
 
 std::string gnuplot_script(const Figure& figure, Picture picture) { return Script(figure, picture).text(); }
 

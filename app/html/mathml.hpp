@@ -15,8 +15,8 @@ std::optional<std::string> mathml(std::string_view formula);
 /// backtick stays. A formula that may break over several lines is one <span class="f">.
 std::string prose(std::string_view text);
 
-/// Returns a text as HTML like prose(), but sets formulas in a line of plain HTML if possible, else as MathML. A line
-/// has a tenth of the size, which matters for a page with thousands of formulas.
+/// Returns a text as HTML like prose(), but sets formulas in lines of plain HTML with slanted letters. A line has a
+/// tenth of the size of MathML, which matters for a page with thousands of formulas.
 std::string lined(std::string_view text);
 
 }  // namespace steadyslide::app

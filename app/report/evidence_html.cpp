@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
+#include <map>
 #include <vector>
 
 #include "app/html/mathml.hpp"
@@ -26,10 +28,10 @@ std::string heading(std::string_view text) { return block("h5", text); }
 
 std::string paragraph(std::string_view text) { return text.empty() ? "" : block("p", lined(text)); }
 
-/// Returns a number such as 3.1e-52 with a power of ten, as MathML. Other text is only escaped.
+/// Returns a number such as 3.1e-52 with a power of ten. Other text is only escaped.
 std::string number(const std::string& text) {
   const bool is_number = text.find_first_not_of("0123456789.e+-") == std::string::npos;
-  return (is_number ? mathml(text) : std::nullopt).value_or(escaped(text));
+  return is_number ? lined("`" + text + "`") : escaped(text);
 }
 
 std::string list(const std::vector<std::string>& items, const std::string& title = "") {
@@ -51,25 +53,47 @@ std::string details(const std::vector<const Kind*>& pieces) {
   return html;
 }
 
-/// Returns the proof as nested lists: a conclusion, and in the list below it the facts that it rests on.
+/// Returns the reason of a step, with a link to the entry or the classical theorem that it names.
+std::string reason(const std::string& by) {
+  for (const auto& [kind, target] : {std::pair("entry ", ""), {"theorem ", "theorem-"}}) {
+    if (by.starts_with(kind))
+      return kind + link(escaped(by.substr(std::strlen(kind))), target + by.substr(std::strlen(kind)));
+  }
+  return escaped(by);
+}
+
+/// Returns the words of a step. Those of a classical theorem stand in the table of theorems.
+std::string words_of(const checks::ProofNode& node) {
+  std::string html;
+  for (const std::string& words : node.words) {
+    if (words != theorem_words(node.by)) html += span("words", lined(words));
+  }
+  return html;
+}
+
+/// Returns the proof as nested lists: a conclusion, and in the list below it the facts that it rests on. Steps have
+/// numbers; a step that was shown before has its number alone.
 std::string proof_html(const checks::Report& report) {
   const checks::CheckedProof* proof = report.proof();
   if (!proof) return "";
   std::string html;
   if (!proof->text.parameters.empty()) html += block("p", prose("For `" + text_of(proof->text.parameters) + "`."));
   std::string tree;
+  std::map<std::size_t, std::size_t> numbers;
   std::size_t level = 0;
   for (const auto& [at, depth, again] : tree_of(*proof)) {
     const checks::ProofNode& node = proof->nodes[at];
     for (; level > depth; --level) tree += "</li></ul>";
     tree += level < depth || tree.empty() ? "<ul>" : "</li>";
     level = depth;
-    std::string by = escaped(node.by);
-    if (node.by.starts_with("entry ")) by = "entry " + link(by.substr(6), node.by.substr(6));
-    tree +=
-        "\n<li>" + lined(checks::theory().sentence(node.fact)) + " " + span("by", by + (again ? ", see above" : ""));
-    if (again) continue;
-    for (const std::string& words : node.words) tree += span("words", lined(words));
+    if (again) {
+      tree += fmt::format("\n<li>({}) above", numbers.at(at));
+      continue;
+    }
+    const std::size_t number = numbers.size() + 1;
+    numbers.emplace(at, number);
+    tree += fmt::format("\n<li>({}) {} {}{}", number, lined(checks::theory().sentence(node.fact)),
+                        span("by", reason(node.by)), words_of(node));
   }
   for (std::size_t k = 0; k <= level && !tree.empty(); ++k) tree += "</li></ul>";
   html += block("div", tree, {{"class", "proof"}});

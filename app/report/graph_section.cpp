@@ -118,9 +118,8 @@ std::string theorems(std::span<const checks::Report> reports) {
   }
   HtmlRows rows;
   for (const auto& [name, entries] : used) {
-    const auto found = checks::theory().theorems.find(name);
-    const std::string words = found == checks::theory().theorems.end() ? "" : found->second.front().words;
-    rows.push_back({code(name), cited_prose(words),
+    rows.push_back({element("code", escaped(name), {{"id", "theorem-" + name}}),
+                    cited_prose(theorem_words("theorem " + name)),
                     folded(fmt::format("{} {}", entries.size(), entries.size() == 1 ? "entry" : "entries"),
                            fmt::format("{}", fmt::join(entries, ", ")))});
   }
@@ -130,6 +129,13 @@ std::string theorems(std::span<const checks::Report> reports) {
 }
 
 }  // namespace
+
+std::string theorem_words(std::string_view by) {
+  constexpr std::string_view kind = "theorem ";
+  if (!by.starts_with(kind)) return "";
+  const auto found = checks::theory().theorems.find(std::string(by.substr(kind.size())));
+  return found == checks::theory().theorems.end() ? "" : found->second.front().words;
+}
 
 std::string rests_html(const VerifyResult& result) { return graph(result.reports) + theorems(result.reports); }
 

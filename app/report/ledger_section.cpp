@@ -47,13 +47,14 @@ std::string part(std::string_view title, const std::string& html) {
   return html.empty() ? "" : block("h4", title) + html + "\n";
 }
 
-std::string paragraph(const std::string& text) { return text.empty() ? "" : element("p", cited_prose(text)); }
+std::string paragraph(const std::string& html) { return html.empty() ? "" : element("p", cited(html)); }
 
 std::string entry(const checks::Report& report, std::size_t order, const VerifyResult& result) {
   const checks::ClaimText& claim = report.claim;
   const std::string again = code("steadyslide verify --claim " + claim.id + options_again(result.context));
   const std::string body =
-      part("Holds for", paragraph(claim.hypotheses)) + part("How it follows", paragraph(claim.derivation)) +
+      part("Holds for", paragraph(prose(claim.hypotheses))) +
+      part("How it follows", paragraph(lined(claim.derivation))) +
       part("Evidence", evidence_html(report, result.reports)) + controls_html(report) +
       block("p", again + span("link", " · " + link("link to this entry", claim.id)), {{"class", "again"}});
   return block("details", "\n" + summary(report) + block("div", "\n" + body, {{"class", "body"}}),

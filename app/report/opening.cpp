@@ -23,7 +23,7 @@ std::string tiles(std::string_view what, std::string_view href, const Counts& co
   std::string html = span("counted", what);
   for (const auto& [verdict, n] : counts) {
     html += element("a", element("b", std::to_string(n)) + " " + element("span", verdict),
-                    {{"href", href}, {"class", fmt::format("tile {}", verdict.substr(0, verdict.find(' ')))}});
+                    {{"href", href}, {"class", fmt::format("tile {}", verdict.substr(0, verdict.find(',')))}});
   }
   return block("div", html, {{"class", "tiles"}, {"id", fmt::format("tiles-{}", href.substr(1))}});
 }
@@ -44,8 +44,12 @@ std::string front_html(const VerifyResult& result, const Supplement& supplement)
                               result.context.quick ? ", quick: fewer parameters" : ""));
   for (const auto& [name, value] : supplement.made) made += block("dt", escaped(name)) + block("dd", escaped(value));
   std::string html = block("p", "On " + reference_html("Bal16"), {{"class", "paper"}});
-  html += block("figure", std::string(embedded::sketch_svg) + element("figcaption", cited_prose(embedded::result_txt)),
-                {{"id", "sketch"}});
+  const std::string sketch(embedded::sketch_svg);
+  html += block(
+      "figure",
+      block("div", inline_svg(slim_svg(sketch), "sketch", "The problem"), {{"class", "drawing"}}) +
+          block("figcaption", fmt::format("<strong>{}</strong> ", figure_mark) + cited_prose(embedded::result_txt)),
+      {{"id", "sketch"}});
   const Counts statements = checks::statement_counts(result.reports);
   if (std::ranges::any_of(statements, [](const auto& count) { return count.second > 0; }))
     html += tiles("statements of the paper", "#paper", statements);

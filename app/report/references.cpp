@@ -91,9 +91,11 @@ std::string reference_html(std::string_view key) {
   return inline_markdown(found->text.substr(0, end));
 }
 
-std::string cited_prose(std::string_view text) {
+std::string cited(const std::string& html) {
   static const std::regex known = citation();
-  return std::regex_replace(prose(text), known, R"([<a href="#ref-$1">$1</a>)");
+  return std::regex_replace(html, known, R"([<a href="#ref-$1">$1</a>)");
 }
+
+std::string cited_prose(std::string_view text) { return cited(prose(text)); }
 
 }  // namespace steadyslide::app

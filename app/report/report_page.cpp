@@ -23,17 +23,18 @@ std::string report_html(const VerifyResult& result, const Supplement& supplement
   std::string sections;
   int number = 0;
   const std::string_view symbols = proofs_checks::section_of(embedded::theory_md, "## Notation");
-  for (const auto& [id, title, html] : {Section{"paper", "The paper, statement by statement", paper_html(result)},
-                                        {"notes", "Reading notes", notes_html(result)},
-                                        {"guide", "How to read the ledger", std::string(embedded::guide_html)},
-                                        {"ledger", "The ledger", ledger_html(result)},
-                                        {"rests", "What rests on what", rests_html(result)},
-                                        {"figures", "Figures", figures_html(supplement)},
-                                        {"tables", "Exponents", tables_html(supplement.tables)},
-                                        {"mutants", "Faults put into the program", mutants_html(supplement.mutants)},
-                                        {"symbols", "Symbols", symbols_html(symbols)},
-                                        {"reproduce", "How to reproduce this", reproduce_html(result)},
-                                        {"references", "References", references_list(embedded::references_md)}}) {
+  for (const auto& [id, title, html] :
+       {Section{"paper", "The paper, statement by statement", paper_html(result)},
+        {"notes", "Reading notes", notes_html(result)},
+        {"guide", "How to read the ledger", std::string(embedded::guide_html)},
+        {"ledger", "The ledger", ledger_html(result)},
+        {"rests", "What rests on what", rests_html(result)},
+        {"figures", "Figures", figures_html(supplement)},
+        {"tables", "Exponents", tables_html(supplement.tables)},
+        {"mutants", "Faults put into the program", mutants_html(supplement.mutants)},
+        {"symbols", "Symbols", symbols_html(symbols)},
+        {"reproduce", "How to reproduce and to cite this", reproduce_html(result, supplement)},
+        {"references", "References", references_list(embedded::references_md)}}) {
     if (html.empty()) continue;
     const std::string heading = id + "-heading", numbered = fmt::format("{} {}", ++number, title);
     contents += element("li", link(numbered, id));

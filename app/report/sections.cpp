@@ -12,7 +12,7 @@ namespace {
 namespace checks = proofs_checks;
 
 std::string drawing(const DrawnFigure& drawn) {
-  const std::string caption = element("strong", std::string(figure_mark) + " " + cited_prose(drawn.title)) + " " +
+  const std::string caption = element("strong", fmt::format("{} {}.", figure_mark, cited_prose(drawn.title))) + " " +
                               cited_prose(drawn.caption) +
                               element("code", escaped(drawn.command), {{"class", "command"}});
   return block("figure",
@@ -98,7 +98,27 @@ std::string mutants_html(const std::vector<Mutant>& mutants) {
                 table_element("Faults put into the program", {"id", "file", "change", "noticed by", "evidence"}, rows));
 }
 
-std::string reproduce_html(const VerifyResult& result) {
+namespace {
+
+/// Returns how a verdict is cited, as text and as BibTeX. WHAT stands for the entry or the statement with its verdict,
+/// KEY for its id.
+std::string citation_html(const Supplement& supplement) {
+  std::string commit, date, year;
+  for (const auto& [name, value] : supplement.made) {
+    if (name == "commit") commit = ", commit " + value;
+    if (name == "date") date = ", " + value.substr(0, 10), year = value.substr(0, 4);
+  }
+  const std::string place = fmt::format("steadyslide {}{}{}", version, commit, date);
+  const std::string bibtex = fmt::format(
+      "@misc{{steadyslide-KEY,\n  author = {{{{The steadyslide contributors}}}},\n  title = {{WHAT}},\n"
+      "  year = {{{}}},\n  note = {{{}}},\n}}\n",
+      year, place);
+  return block("p", escaped(place + ": WHAT.")) + block("pre", code(bibtex), {{"tabindex", "0"}});
+}
+
+}  // namespace
+
+std::string reproduce_html(const VerifyResult& result, const Supplement& supplement) {
   const std::string options = options_again(result.context);
   const std::string commands = "steadyslide report -o DIR" + options + "\nsteadyslide verify --claim ID" + options +
                                "\nsteadyslide verify --list\n";
@@ -106,9 +126,12 @@ std::string reproduce_html(const VerifyResult& result) {
                "The page again, one statement alone, and the list of all statements. Random parameters follow from the "
                "seed, so that only the seconds differ:") +
          block("pre", code(commands), {{"tabindex", "0"}}) +
-         block("p", fmt::format("To cite it: <em>steadyslide</em>, version {}, together with the paper whose theory it "
-                                "examines, [<a href=\"#ref-Bal16\">Bal16</a>].",
-                                version));
+         block(
+             "p",
+             cited(
+                 "To cite a verdict, cite the paper, too, [Bal16]. An entry or a statement with its verdict stands for "
+                 "WHAT, its id for KEY; “cite this verdict” beside it fills them in:")) +
+         block("div", "\n" + citation_html(supplement), {{"id", "cite"}});
 }
 
 }  // namespace steadyslide::app

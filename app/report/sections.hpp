@@ -14,8 +14,6 @@ std::string front_html(const VerifyResult& result, const Supplement& supplement)
 std::string compiler();
 /// Returns the libraries that the program was compiled with: "GMP 6.2.1, MPFR 4.2.0, ...".
 std::string libraries();
-/// Returns the commit that the program was built from; empty if it is not known.
-std::string commit();
 
 /// Returns the paper's statements in its order, with the verdicts on them. All functions ..._html() of a section return
 /// an empty text if the section would have no content.
@@ -26,6 +24,8 @@ std::string notes_html(const VerifyResult& result);
 /// Returns the number of notes for each fault: "34 reading notes: in formulas the print is at fault in 8, ... The
 /// printed page was not seen."
 std::string faults_line(std::span<const proofs_checks::ReadingNote> notes);
+/// Returns the words of the theorem that a step names, by "theorem NAME"; otherwise an empty text.
+std::string theorem_words(std::string_view by);
 /// Returns the graph of entries that rest on each other, and the classical theorems that proofs use.
 std::string rests_html(const VerifyResult& result);
 /// Returns the tables of the section "Notation" of docs/theory.md: each symbol with its meaning.
@@ -33,14 +33,16 @@ std::string symbols_html(std::string_view markdown);
 std::string figures_html(const Supplement& supplement);
 std::string tables_html(const std::vector<TextTable>& tables);
 std::string mutants_html(const std::vector<Mutant>& mutants);
-std::string reproduce_html(const VerifyResult& result);
+std::string reproduce_html(const VerifyResult& result, const Supplement& supplement);
 
 /// Returns the paragraphs of a Markdown text that begin with **[Key]** as <dl>, and tables behind them. Of Markdown's
 /// marks it knows emphasis and links alone.
 std::string references_list(std::string_view markdown);
 /// Returns the text of one reference of docs/references.md, without its table; empty if the key is unknown.
 std::string reference_html(std::string_view key);
-/// Returns text as HTML like prose(), with each citation [Key, place] linked to the list of references.
+/// Returns HTML with each citation [Key, place] linked to the list of references.
+std::string cited(const std::string& html);
+/// Returns cited(prose(text)).
 std::string cited_prose(std::string_view text);
 
 /// Returns the report on a claim, or null if there is none.

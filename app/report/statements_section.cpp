@@ -27,6 +27,25 @@ std::string links_to(const std::vector<std::string_view>& ids, const VerifyResul
   return links;
 }
 
+/// Returns the notes of a group as a table; empty if there is none.
+std::string notes_table(const checks::NoteGroup& group, std::span<const checks::ReadingNote> notes) {
+  const bool of_formulas = group.faults.size() > 1;
+  HtmlRows rows;
+  for (const checks::ReadingNote& note : notes) {
+    if (std::ranges::find(group.faults, note.fault) == group.faults.end()) continue;
+    std::string place = element("span", cited_prose(note.place), {{"id", "note-" + note.id}});
+    if (!note.claim.empty()) place += "<br>" + link(escaped(note.claim), note.claim);
+    rows.push_back({place, cited_prose(note.printed), cited_prose(note.derived)});
+    if (of_formulas) rows.back().push_back(escaped(note.fault));
+    rows.back().push_back(folded("why", block("p", cited_prose(note.evidence))));
+  }
+  if (rows.empty()) return "";
+  std::vector<std::string> columns{"place", "printed", "derived"};
+  if (of_formulas) columns.emplace_back("at fault");
+  columns.emplace_back("evidence");
+  return table_element("Reading notes", columns, rows, fmt::format("Reading notes: {}.", group.name));
+}
+
 }  // namespace
 
 std::string paper_html(const VerifyResult& result) {
@@ -38,10 +57,13 @@ std::string paper_html(const VerifyResult& result) {
     if (said.empty() && instances.empty()) continue;
     std::string entries = said;
     if (!instances.empty()) entries += (said.empty() ? "" : "; ") + ("instances: " + instances);
-    std::string mark = verdict ? badge(*verdict) : "not examined as a whole";
-    if (verdict == checks::Verdict::proved && statement.reconstructed) mark += " as reconstructed";
-    if (verdict == checks::Verdict::proved && !statement.restriction.empty())
-      mark += ", restricted: " + prose(statement.restriction);
+    std::string mark = "not examined as a whole";
+    if (verdict) {
+      // "proved" is a badge, ", restricted" stands behind it.
+      mark = badge(*verdict) + std::string(standing(statement, *verdict).substr(name_of(*verdict).size()));
+      if (*verdict == checks::Verdict::proved && !statement.restriction.empty())
+        mark += ": " + prose(statement.restriction);
+    }
     if (statement.place.empty()) {
       beyond.push_back({prose(statement.what), mark, entries});
     } else {
@@ -66,10 +88,10 @@ std::string paper_html(const VerifyResult& result) {
 std::string faults_line(std::span<const checks::ReadingNote> notes) {
   const auto at = [&](std::string_view fault) { return std::ranges::count(notes, fault, &checks::ReadingNote::fault); };
   return fmt::format(
-      "{} reading note{}: in formulas the print is at fault in {}, the extraction in {}, undecided between them {}; of "
-      "words {}. {}",
-      notes.size(), notes.size() == 1 ? "" : "s", at("print"), at("extraction"), at("undecided"), at("words"),
-      checks::printed_page);
+      "{} reading note{}: in formulas the print is at fault in {}, the extraction in {}, undecided between them {}; a "
+      "hypothesis is missing in {}, the wording is at fault in {}. {}",
+      notes.size(), notes.size() == 1 ? "" : "s", at("print"), at("extraction"), at("undecided"), at("hypothesis"),
+      at("wording"), checks::printed_page);
 }
 
 std::string notes_html(const VerifyResult& result) {
@@ -80,21 +102,13 @@ std::string notes_html(const VerifyResult& result) {
       "p",
       "Places where the text of the paper at hand and the mathematics disagree. That text was extracted from a "
       "PDF. A fault of the print is a slip in a formula of the paper itself, one of the extraction is not the paper's; "
-      "where either may have made it, it is undecided. Words are the paper's.");
+      "where either may have made it, it is undecided. Missing hypotheses and wording are the paper's.");
   if (result.notes_left_out > 0) {
     html += block("p", fmt::format("Left out are {} notes on statements that were not examined in this run.",
                                    result.notes_left_out));
   }
-  HtmlRows rows;
-  for (const checks::ReadingNote& note : result.notes) {
-    std::string place = element("span", cited_prose(note.place), {{"id", "note-" + note.id}});
-    if (!note.claim.empty()) place += "<br>" + link(escaped(note.claim), note.claim);
-    rows.push_back({place, cited_prose(note.printed), cited_prose(note.derived), escaped(note.fault),
-                    folded("why", block("p", cited_prose(note.evidence)))});
-  }
-  if (rows.empty()) return html;
-  return html + table_element("Reading notes", {"place", "printed", "derived", "at fault", "evidence"}, rows,
-                              "Reading notes.");
+  for (const checks::NoteGroup& group : checks::note_groups) html += notes_table(group, result.notes);
+  return html;
 }
 
 }  // namespace steadyslide::app

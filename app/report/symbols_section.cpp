@@ -25,8 +25,8 @@ std::string symbols_html(std::string_view markdown) {
   if (rows.empty()) return "";
   return block(
              "p",
-             "F is a force, L a length, in whatever set of units. Press a formula of this page to see what its symbols mean, and "
-             "to copy it as TeX; a passage that is copied has its formulas as TeX, too.") +
+             "<i>F</i> is a force, <i>L</i> a length, in whatever set of units. Press a formula of this page to see what its "
+             "symbols mean, and to copy it as TeX; a passage that is copied has its formulas as TeX, too.") +
          folded(fmt::format("all {} symbols", rows.size()),
                 table_element("Symbols", {"symbol", "meaning", "in the paper", "unit"}, rows, "Symbols."));
 }

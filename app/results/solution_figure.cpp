@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <ranges>
 
 #include "app/embedded.hpp"
@@ -18,9 +19,11 @@ constexpr std::size_t most_marked_components = 4;
 /// Breaks of a trace are drawn up to this number; more cannot be seen.
 constexpr std::size_t most_drawn_breaks = 20000;
 constexpr double largest_over_mean = 6;
-/// The rows of exponents above the tractions, their distance as a fraction of the panel's height, and the width of a
-/// character as a fraction of the panel's width.
-constexpr std::size_t label_rows = 3;
+/// The place of the contact among the curves of the upper panel; the surface is before it.
+constexpr std::size_t contact_series = 3;
+/// The rows of exponents above the tractions and of friction values on the indenter, their distance as a fraction of the
+/// panel's height, and the width of a character as a fraction of the panel's width.
+constexpr std::size_t exponent_rows = 3, friction_rows = 2;
 constexpr double row_height = 0.072, character_width = 0.0125;
 
 struct ValueRange {
@@ -53,6 +56,24 @@ std::string shown_name(const Problem& problem) {
   return one_line(std::filesystem::path(problem.file).filename().string());
 }
 
+/// Short labels along x. A label that would touch another one goes into the next row.
+class LabelRows {
+ public:
+  explicit LabelRows(std::size_t rows) : taken_(rows, -1) {}
+
+  /// Returns the row of a label at a place between 0 and 1, or nothing if no row has room for it.
+  std::optional<std::size_t> place(double at, std::size_t characters) {
+    const double half = character_width * static_cast<double>(characters) / 2;
+    const auto row = std::ranges::find_if(taken_, [&](double end) { return end < at - half; });
+    if (row == taken_.end()) return std::nullopt;
+    *row = at + half;
+    return static_cast<std::size_t>(row - taken_.begin());
+  }
+
+ private:
+  std::vector<double> taken_;
+};
+
 class SolutionFigure {
  public:
   /// The range of x has the contact of `also`, too.
@@ -67,8 +88,11 @@ class SolutionFigure {
         contact_.include(value_of(right.x.value));
       }
     }
-    if (problem.measured && !problem.measured->x_unit.empty()) {
-      length_unit_ = problem.measured->x_unit == "um" ? "µm" : problem.measured->x_unit;
+    const auto& [length, force] = problem.units;
+    if (!length.empty()) length_unit_ = length == "um" ? "µm" : enhanced(length);
+    if (!length.empty() && !force.empty()) {
+      load_unit_ = fmt::format(" {}/{}", force, length);
+      stress_unit_ = fmt::format("{}/{}²", enhanced(force), length_unit_);
     }
     const Indenter& shape = problem.contact.indenter();
     const double margin = 0.6 * contact_.length(), beside = 0.04 * contact_.length();
@@ -77,26 +101,29 @@ class SolutionFigure {
   }
 
   Figure figure() {
-    Figure figure{"solve", title(), caption(), 620, {}};
+    Figure figure{"solve", title(), caption(), 680, {}};
     figure.digits = 15;
     figure.origin = fmt::format("steadyslide {}, {}", version, solution_.method);
     Panel below = tractions();
     mark(below);
-    figure.panels = {shapes(below.guides), std::move(below)};
+    Panel above = shapes(below.guides);
+    name_friction(above, below.x.label);
+    figure.panels = {std::move(above), std::move(below)};
     return figure;
   }
 
  private:
   std::string title() const {
     const ContactProblem& contact = problem_.contact;
-    return fmt::format("{}{}, load {:.6g}, sliding {}",
+    return fmt::format("{}{}, load {:.6g}{}, sliding {}",
                        solution_.failed_condition.empty() ? "" : "NOT SOLVED: ", shown_name(problem_),
-                       value_of(contact.load()), towards(problem_));
+                       value_of(contact.load()), load_unit_, towards(problem_));
   }
 
   std::string caption() const {
     const std::string what =
-        "Indenter, surface and contact zones; pressure and tangential traction, with the exponents of singular points.";
+        "Indenter with its friction values, surface and contact zones; pressure and tangential traction, with the "
+        "exponents of singular points.";
     return solution_.failed_condition.empty() ? what : what + " Not solved: " + solution_.failed_condition + ".";
   }
 
@@ -128,14 +155,18 @@ class SolutionFigure {
         if (!std::isnan(point.y)) y.include(point.y);
       }
     }
-    // The panel of a flat punch is filled by the contact's length; its legend stands above it.
-    const bool flat = y.length() == 0;
-    const double tall = flat ? 0.1 * contact_.length() : y.length();
-    Panel panel{{0.12, 0.98, 0.575, 0.93},
+    // The panel of a flat punch is as tall as a part of the contact's length.
+    const double tall = y.length() == 0 ? 0.1 * contact_.length() : y.length();
+    Panel panel{{0.12, 0.98, 0.594, 0.918},
                 across(false),
-                {"height  (" + length_unit_ + ")", y.from - 0.15 * tall, y.to + (flat ? 0.3 : 0.08) * tall}};
-    panel.series = {std::move(profile), std::move(surface), zones(y.from - 0.08 * tall)};
-    panel.legend = LegendAt::top_centre;
+                {"height  (" + length_unit_ + ")", y.from - 0.15 * tall, y.to + 0.25 * tall}};
+    Series indenter{"", Look::area, 6, profile.points};
+    if (!profile.points.empty()) {
+      indenter.points.push_back({profile.points.back().x, panel.y.to});
+      indenter.points.push_back({profile.points.front().x, panel.y.to});
+    }
+    panel.series = {std::move(indenter), std::move(profile), std::move(surface), zones(y.from - 0.08 * tall)};
+    panel.legend = LegendAt::row_above;
     panel.guides = std::move(guides);
     return panel;
   }
@@ -178,9 +209,9 @@ class SolutionFigure {
     }
     const ValueRange y = traction_range(pressure.points, shear.points);
     if (is_infinite()) pressure.legend += fmt::format(", cut at {:.3g}", y.to);
-    Panel panel{{0.12, 0.98, 0.105, 0.485}, across(true), {"traction  (" + stress_unit_ + ")", y.from, y.to}};
+    Panel panel{{0.12, 0.98, 0.165, 0.512}, across(true), {"traction  (" + stress_unit_ + ")", y.from, y.to}};
     panel.series = {std::move(pressure), std::move(shear)};
-    panel.legend = LegendAt::top_centre;
+    panel.legend = LegendAt::row_below;
     return panel;
   }
 
@@ -204,14 +235,13 @@ class SolutionFigure {
     for (const Point& point : shear) {
       if (!std::isnan(point.y)) least = std::min(least, point.y);
     }
-    // Room for the legend above the curves that are not cut, and above the lowest shear.
-    return {std::max(1.08 * least, -y.to), is_infinite() ? y.to : 1.32 * y.to};
+    return {std::max(1.08 * least, -y.to), is_infinite() ? y.to : 1.08 * y.to};
   }
 
   /// Draws a line at each singular point and, if there is room, its exponent.
   void mark(Panel& panel) {
     const bool free_ends = solution_.contact.size() <= most_marked_components;
-    std::vector<double> taken(label_rows, -1);
+    LabelRows rows(exponent_rows);
     std::size_t without = 0;
     for (const SingularText& point : solution_.singular_points) {
       if (!free_ends && point.kind == "free") continue;
@@ -219,26 +249,56 @@ class SolutionFigure {
       panel.guides.push_back({{x, 0, false, true}, {x, 1, false, true}});
       const double value = value_of(point.exponent.value);
       const std::string text = value != 0 ? with_minus(fmt::format("{:.3g}", value)) : point.exponent.value;
-      const double at = (x - x_.from) / x_.length();
-      const double half = character_width * static_cast<double>(text.size()) / 2;
-      const auto row = std::ranges::find_if(taken, [&](double end) { return end < at - half; });
-      if (row == taken.end()) {
+      if (const auto row = rows.place((x - x_.from) / x_.length(), text.size())) {
+        panel.notes.push_back({{x, 1.05 + row_height * static_cast<double>(*row), false, true}, text, Align::centre});
+      } else {
         ++without;
-        continue;
       }
-      *row = at + half;
-      panel.notes.push_back(
-          {{x, 1.05 + row_height * static_cast<double>(row - taken.begin()), false, true}, text, Align::centre});
     }
     if (panel.notes.empty()) return;
     panel.notes.push_back({{-0.01, 1.05, true, true}, "exponent", Align::right});
     if (without > 0) panel.x.label += fmt::format("; {} exponents more are in the results", without);
   }
 
+  /// Writes the friction values on the indenter, and draws a line between two of them. `results` is the label that says
+  /// how many found no room.
+  void name_friction(Panel& panel, std::string& results) const {
+    const ContactProblem& contact = problem_.contact;
+    const std::vector<Rational>& jumps = contact.friction().jumps();
+    const Indenter& shape = contact.indenter();
+    LabelRows rows(friction_rows);
+    Series lines{"", Look::line, 6, {}};
+    std::size_t without = 0;
+    for (std::size_t k = 0; k < contact.friction().values().size(); ++k) {
+      const double left = std::max(x_.from, value_of(k == 0 ? shape.left() : jumps[k - 1]));
+      const double right = std::min(x_.to, value_of(k == jumps.size() ? shape.right() : jumps[k]));
+      if (left >= right) continue;
+      const double x = (left + right) / 2;
+      const std::string value = fmt::format("{:.3g}", value_of(contact.friction().values()[k]));
+      // "f = " stands before the first one.
+      const bool first = panel.notes.empty();
+      const auto row = rows.place((x - x_.from) / x_.length(), value.size() + (first ? 4 : 0));
+      if (!row) {
+        ++without;
+        continue;
+      }
+      panel.notes.push_back({{x, 0.94 - row_height * static_cast<double>(*row), false, true},
+                             (first ? "{/:Italic f} = " : "") + value,
+                             Align::centre});
+      if (k < jumps.size() && right < x_.to) {
+        const double foot = height(jumps[k], Side::left);
+        lines.points.insert(lines.points.end(), {{right, foot}, {right, panel.y.to}, gap_in_curve});
+      }
+    }
+    if (!lines.points.empty()) panel.series.push_back(std::move(lines));
+    if (without > 0) results += fmt::format("; {} friction values more are in the results", without);
+  }
+
   const Problem& problem_;
   const SolutionText& solution_;
   std::string length_unit_ = "user's unit of length";
   std::string stress_unit_ = "user's unit of stress";
+  std::string load_unit_;
   ValueRange contact_, x_;
   double contact_length_ = 0;
 };
@@ -258,24 +318,26 @@ Figure solution_figure(const Problem& problem, const Problem& turned, const Both
 
   Panel& shapes = figure.panels.front();
   const double lower = 0.035 * (shapes.y.to - shapes.y.from);
-  Series zones = std::move(other.panels.front().series.back());
-  for (std::size_t k = 0; k < zones.points.size(); ++k) zones.points[k].y = shapes.series.back().points[0].y - lower;
+  Series zones = std::move(other.panels.front().series.at(contact_series));
+  for (Point& end : zones.points) end.y = shapes.series.at(contact_series).points.front().y - lower;
   zones.style = 4;
   zones.legend += ", " + other_way;
-  for (Series& series : shapes.series | std::views::drop(1)) series.legend += ", " + way;
+  for (const std::size_t k : {contact_series - 1, contact_series}) shapes.series.at(k).legend += ", " + way;
   shapes.series.push_back(std::move(zones));
   for (Series& series : figure.panels.back().series) series.legend += ", " + way;
   for (Series& series : other.panels.back().series) series.legend += ", " + other_way;
 
-  constexpr double more = 0.55;  // the height of the other tractions with their exponents, as a part of the figure's
-  const auto place = [](Frame& frame, double up) {
-    frame.bottom = (frame.bottom + up) / (1 + more);
-    frame.top = (frame.top + up) / (1 + more);
+  // The height of the other tractions with their exponents and legend, and of a second row of the legend above.
+  constexpr int more = 390, second_row = 28;
+  const double height = figure.height, whole = height + more + second_row;
+  const auto place = [&](Frame& frame, double up) {
+    frame.bottom = (height * frame.bottom + up) / whole;
+    frame.top = (height * frame.top + up) / whole;
   };
   for (Panel& panel : figure.panels) place(panel.frame, more);
   place(other.panels.back().frame, 0);
   figure.panels.push_back(std::move(other.panels.back()));
-  figure.height = static_cast<int>(figure.height * (1 + more));
+  figure.height = static_cast<int>(whole);
   return figure;
 }
 

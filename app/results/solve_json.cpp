@@ -84,6 +84,8 @@ Json problem_json(const Problem& read) {
   json["load"] = exact_text(problem.load());
   if (problem.load_at()) json["load_at"] = exact_text(*problem.load_at());
   json["sliding"] = name_of(problem.sliding());
+  if (!read.units.length.empty()) json["units"]["length"] = read.units.length;
+  if (!read.units.force.empty()) json["units"]["force"] = read.units.force;
   json["half_space"] = half_space(problem.elasticity());
   json["friction"] = {{"values", numbers(problem.friction().values())}, {"jumps", numbers(problem.friction().jumps())}};
   if (read.friction_file) json["friction"]["samples"] = *read.friction_file;

@@ -196,6 +196,7 @@ void write_verify_json(const VerifyResult& result, Output& output) {
   Json json;
   json["schema"] = 1;
   json["version"] = version;
+  json["commit"] = commit();
   json["digits"] = static_cast<int>(result.context.digits);
   json["seed"] = result.context.seed;
   for (const auto& [verdict, n] : count(result.reports)) json["counts"][std::string(verdict)] = n;

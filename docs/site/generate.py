@@ -9,6 +9,7 @@ import re
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
+from datetime import datetime, timezone
 from pathlib import Path
 
 import schema
@@ -79,7 +80,8 @@ def ledger():
     report = output / "report"
     if not kept.exists() or not report.exists() or kept.stat().st_mtime < program.stat().st_mtime:
         run("verify", "--quick", "--format", "json", "-o", str(kept), "--report", str(report))
-    return json.loads(kept.read_text(encoding="utf-8"))
+    made = datetime.fromtimestamp(kept.stat().st_mtime, timezone.utc)
+    return json.loads(kept.read_text(encoding="utf-8")) | {"date": made.strftime("%Y-%m-%d")}
 
 
 def main():

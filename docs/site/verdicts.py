@@ -2,19 +2,33 @@
 `verify --format json`, which has each text in plain letters and as HTML with formulas as MathML."""
 
 import html
+import re
 from collections import Counter
 
 VERDICTS = "[proved, supported, undecided or refuted](proofs.md)"
 
+# The groups of reading notes, with their faults.
+GROUPS = {"Formulas": ("print", "extraction", "undecided"), "Missing hypotheses": ("hypothesis",), "Wording": ("wording",)}
+
 
 def counted(verdicts, names=("proved", "supported", "undecided", "refuted")):
     counts = Counter(verdicts)
-    return ", ".join(f"{counts[one]} {one}" for one in names)
+    return "; ".join(f"{counts[one]} {one}" for one in names)
 
 
 def made(found):
     return (f"Made by `steadyslide verify --quick --format json` of version {found['version']}, {found['digits']} digits, when "
             "this site was built.")
+
+
+def cite(found, key, what):
+    """Returns a fold with a citation of a verdict, as text and as BibTeX."""
+    commit = f", commit {found['commit']}" if found["commit"] else ""
+    place = f"steadyslide {found['version']}{commit}, {found['date']}"
+    bibtex = (f"@misc{{steadyslide-{key},\n  author = {{{{The steadyslide contributors}}}},\n  title = {{{what}}},\n"
+              f"  year = {{{found['date'][:4]}}},\n  note = {{{place}}},\n}}")
+    return (f'<details class="cite"><summary>cite this verdict</summary><p>{html.escape(f"{place}: {what}.")}</p>'
+            f'<pre tabindex="0">{html.escape(bibtex)}</pre></details>')
 
 
 def links(page, ids, prefix=""):
@@ -51,7 +65,10 @@ def statements(found):
         own = sorted({note for entry in entries for note in notes.get(entry, ())})
         ids = [links("entries", one["entries"])] if one["entries"] else []
         ids += ["instances: " + links("entries", one["instances"])] if one["instances"] else []
-        return [html.escape(one["place"]), one["html"]["statement"], standing(one), one["html"]["scope"], "; ".join(ids),
+        what = f"{one['place']} of Ballard (2016): {one['statement']}" if one["place"] else one["statement"]
+        key = re.sub("[^a-z0-9]+", "-", (one["place"] or one["statement"]).lower()).strip("-")
+        verdict = standing(one) + cite(found, key, f"{what.replace('`', '')}, {one['standing']}")
+        return [html.escape(one["place"]), one["html"]["statement"], verdict, one["html"]["scope"], "; ".join(ids),
                 links("reading-notes", own, "note-")]
 
     heads = ["place", "statement", "verdict", "scope", "entries", "reading notes"]
@@ -64,17 +81,19 @@ def statements(found):
 
 
 def tree(proof):
-    """Returns the proof as nested lists, from its conclusion down. A fact that was shown before has its name alone."""
-    steps, shown = proof["steps"], set()
+    """Returns the proof as nested lists, from its conclusion down. Steps have numbers; one that was shown before has its number alone."""
+    steps, numbers = proof["steps"], {}
     places = {step["fact"]: k for k, step in enumerate(steps)}
 
     def show(k):
-        step, again = steps[k], k in shown
-        shown.add(k)
-        below = "" if again or not step["from"] else f"<ul>{''.join(map(show, step['from']))}</ul>"
+        step = steps[k]
+        if k in numbers:
+            return f"<li>({numbers[k]}) above</li>\n"
+        numbers[k] = len(numbers) + 1
         by = step["by"]
         by = f'entry {links("entries", [by[6:]])}' if by.startswith("entry ") else html.escape(by)
-        return f"<li>{step['html']['says']} <em>({by}{', see above' if again else ''})</em>{below}</li>\n"
+        below = f"<ul>{''.join(map(show, step['from']))}</ul>" if step["from"] else ""
+        return f"<li>({numbers[k]}) {step['html']['says']} <em>{by}</em>{below}</li>\n"
 
     concluded = "".join(show(places[fact]) for fact in proof["concludes"] if fact in places)
     return f"<details><summary>Proof, {len(steps)} steps</summary>\n<ul>{concluded}</ul></details>"
@@ -93,17 +112,24 @@ def entries(found):
                  + (f"\n<p><em>For:</em> {said['hypotheses']}</p>" if claim["hypotheses"] else "")
                  + (f"\n{tree(proof)}" if proof.get("steps") else ""),
                  f"Pieces of evidence: {len(claim['evidence'])}. Wrong variants that were tried: {claim['controls']['total']}, "
-                 f"refuted: {claim['controls']['refuted']}." + (f" Reading notes: {own}." if own else "")]
+                 f"refuted: {claim['controls']['refuted']}." + (f" Reading notes: {own}." if own else ""),
+                 cite(found, claim["id"], f"entry {claim['id']}, {claim['verdict']}")]
     return text
+
+
+def reading_note(note):
+    said = note["html"]
+    fault = f"<li>at fault: {note['fault']}</li>\n" if note["fault"] in GROUPS["Formulas"] else ""
+    return [f"### note {note['id']}",
+            f"<p>{said['place']}</p>\n<ul>\n<li>read: {said['printed']}</li>\n<li>derived: {said['derived']}</li>\n{fault}</ul>\n"
+            f"<p>{said['evidence']}</p>"]
 
 
 def reading_notes(found):
     text = ["# Reading notes", "Where the text of [Bal16] at hand and the derivation differ: a note says what was read, not what was "
             "printed, unless it says so.",
             f"{len(found['reading_notes'])} notes. The printed page was not seen. {made(found)}"]
-    for note in found["reading_notes"]:
-        said = note["html"]
-        text += [f"## note {note['id']}",
-                 f"<p>{said['place']}</p>\n<ul>\n<li>read: {said['printed']}</li>\n<li>derived: {said['derived']}</li>\n"
-                 f"<li>at fault: {note['fault']}</li>\n</ul>\n<p>{said['evidence']}</p>"]
+    for group, faults in GROUPS.items():
+        text.append(f"## {group}")
+        text += [part for note in found["reading_notes"] if note["fault"] in faults for part in reading_note(note)]
     return text

@@ -1,5 +1,7 @@
 #include "library/problem_file/problem_file.hpp"
 
+#include <fmt/format.h>
+
 #include "library/problem_file/input_file.hpp"
 #include "library/problem_file/problem_reader.hpp"
 #include "library/problem_file/sample_file.hpp"
@@ -70,10 +72,32 @@ ReadFriction read_friction(const ProblemReader& reader, const std::string& name,
   return {parse_friction_table(samples.text, samples.path, support, unit), is_table(given) ? "" : given};
 }
 
+/// Returns the name of a unit in the table `units`; empty if it is absent.
+std::string unit_name(const ProblemReader& reader, const std::string& field) {
+  const Value* value = reader.find(field);
+  if (value == nullptr) return "";
+  const std::string& name = reader.text(field, *value);
+  constexpr std::size_t longest = 16;
+  // one_line() changes control characters, bytes that are not UTF-8, and long words.
+  if (name.empty() || name.size() > longest || one_line(name) != name)
+    throw reader.error(field, "not a unit", fmt::format("a unit has 1 to {} bytes, on one line", longest), excerpt(name));
+  return name;
+}
+
+Units read_units(const ProblemReader& reader, const std::string& x_unit) {
+  if (reader.find("units") == nullptr) return {x_unit, ""};
+  reader.check_table("units", {"length", "force"});
+  Units units{unit_name(reader, "units.length"), unit_name(reader, "units.force")};
+  if (units.length.empty()) units.length = x_unit;
+  if (x_unit.empty() || units.length == x_unit) return units;
+  throw reader.error("units.length", "conflicting unit", "indenter.samples.x_unit is the unit of length, " + x_unit,
+                     excerpt(units.length));
+}
+
 /// `whole`: load and friction are required. `same_indenter`: null, or a problem with the same [indenter].
 Punch read(const Value& root, const std::string& name, bool whole, const Problem* same_indenter = nullptr) {
   const ProblemReader reader(root, name);
-  reader.check_keys("", {"load", "load_at", "sliding", "half_space", "friction", "indenter"});
+  reader.check_keys("", {"load", "load_at", "sliding", "units", "half_space", "friction", "indenter"});
   const bool has_load = whole || reader.find("load") != nullptr;
   const bool has_friction = whole || reader.find("friction") != nullptr;
   const Rational load = has_load ? reader.number("load", "a problem has a load") : Rational(1);
@@ -84,11 +108,13 @@ Punch read(const Value& root, const std::string& name, bool whole, const Problem
   ReadIndenter indenter = same_indenter != nullptr
                               ? ReadIndenter{same_indenter->contact.indenter(), same_indenter->measured}
                               : read_indenter(reader, name);
+  Units units = read_units(reader, indenter.measured ? indenter.measured->x_unit : "");
   ReadFriction friction = has_friction ? read_friction(reader, name, indenter) : ReadFriction{FrictionProfile({0})};
   try {
     ContactProblem contact(std::move(elasticity), std::move(friction.profile), std::move(indenter.shape), load, sliding,
                            load_at);
-    return {{std::move(contact), name, std::move(indenter.measured), std::move(friction.file)}, has_friction};
+    return {{std::move(contact), name, std::move(indenter.measured), std::move(friction.file), std::move(units)},
+            has_friction};
   } catch (const InvalidData& invalid) {
     // The model speaks of pieces; a file with samples has none.
     const bool of_samples = indenter.measured && invalid.field() == "indenter.pieces";

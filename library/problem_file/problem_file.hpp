@@ -13,11 +13,18 @@
 
 namespace steadyslide::library {
 
+/// Names of units, for the axes of pictures. Nothing is converted. Empty: the user's unit.
+struct Units {
+  std::string length;
+  std::string force;
+};
+
 struct Problem {
   ContactProblem contact;
   std::string file;
   std::optional<MeasuredProfile> measured;
   std::optional<std::string> friction_file{};  ///< the friction table, as the problem file writes its name
+  Units units{};  ///< without `units.length`, the length is that of `indenter.samples.x_unit`
 };
 
 /// Reads a trace and a friction table, too, if the file has samples; their paths are relative to `name`. Throws InvalidFile.

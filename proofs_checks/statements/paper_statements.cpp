@@ -52,8 +52,7 @@ std::optional<Verdict> verdict_of(const PaperStatement& statement, std::span<con
   return weakest;
 }
 
-constexpr std::array<std::string_view, 3> proved{"proved as printed", "proved with a restriction",
-                                                 "proved as reconstructed"};
+constexpr std::array<std::string_view, 3> proved{"proved", "proved, restricted", "proved, as reconstructed"};
 
 std::string_view standing(const PaperStatement& statement, Verdict verdict) {
   if (verdict != Verdict::proved) return name_of(verdict);
@@ -81,7 +80,7 @@ std::string statements_line(std::span<const Report> reports) {
   if (std::ranges::any_of(paper_statements(), is_left_out)) return "";
   std::string line;
   for (const auto& [verdict, n] : statement_counts(reports)) {
-    line += (line.empty() ? "" : ", ") + std::to_string(n) + " " + std::string(verdict);
+    line += (line.empty() ? "" : "; ") + std::to_string(n) + " " + std::string(verdict);
   }
   return line;
 }

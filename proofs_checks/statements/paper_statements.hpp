@@ -31,15 +31,15 @@ const std::vector<PaperStatement>& paper_statements();
 /// Returns the weakest verdict of the claims that express the statement, or nothing if one of them was not examined.
 std::optional<Verdict> verdict_of(const PaperStatement& statement, std::span<const Report> reports);
 
-/// Returns the verdict in words: "proved as printed", "proved with a restriction", "proved as reconstructed", or the name
-/// of another verdict.
+/// Returns the verdict in words: "proved", "proved, restricted", "proved, as reconstructed", or the name of another
+/// verdict.
 std::string_view standing(const PaperStatement& statement, Verdict verdict);
 
 /// Returns the number of the paper's statements with each standing, from proved to refuted. Statements beyond the paper,
 /// and those with a claim that was not examined, do not count.
 std::vector<std::pair<std::string_view, std::size_t>> statement_counts(std::span<const Report> reports);
 
-/// Returns "20 proved as printed, 1 proved with a restriction, ..., 0 refuted" for the paper's statements, without those beyond it.
+/// Returns "20 proved; 1 proved, restricted; ...; 0 refuted" for the paper's statements, without those beyond it.
 /// Returns an empty text if a claim of a statement was not examined.
 std::string statements_line(std::span<const Report> reports);
 

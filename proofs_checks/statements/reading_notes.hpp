@@ -13,6 +13,15 @@
 
 namespace steadyslide::proofs_checks {
 
+/// The three groups of notes, each with its faults.
+struct NoteGroup {
+  std::string_view name;
+  std::vector<std::string_view> faults;
+};
+inline const std::vector<NoteGroup> note_groups{{"formula", {"print", "extraction", "undecided"}},
+                                                {"missing hypothesis", {"hypothesis"}},
+                                                {"wording", {"wording"}}};
+
 /// The sentence that stands beside the number of notes wherever it appears.
 inline constexpr std::string_view printed_page = "The printed page was not seen.";
 
@@ -22,8 +31,8 @@ struct ReadingNote {
   std::string printed;
   std::string derived;
   std::string evidence;
-  /// The place of the fault. In a formula: "print", "extraction", or "undecided" between these two. Otherwise "words":
-  /// the paper's words, which extraction does not change.
+  /// In a formula the place of the fault: "print", "extraction", or "undecided" between these two. In words, which
+  /// extraction does not change: "hypothesis" if one is missing, "wording" otherwise.
   std::string fault;
   /// The claim that examines the derived reading; empty if the local equation alone decides it.
   std::string claim;

@@ -65,7 +65,7 @@ inline app::VerifyResult fabricated_result() {
 inline app::Supplement fabricated_supplement() {
   const std::string svg = file_text(STEADYSLIDE_TESTS "/app/report/drawing.svg");
   return {{{"flat_punch", "Flat punch.", "Pressure for `f = 1/2`.", "steadyslide figures --figure flat_punch", svg},
-           {"parabola", "Parabola.", "Ends at `-(1+2alpha)a`.", "steadyslide figures --figure parabola", svg}},
+           {"parabola", "Parabola", "Ends at `-(1+2alpha)a`.", "steadyslide figures --figure parabola", svg}},
           "",
           {{"Powers at a jump",
             "`beta = alpha_- - alpha_+`",

@@ -5,7 +5,7 @@
 namespace steadyslide::app {
 namespace {
 
-constexpr int tractions_height = 360;
+constexpr int tractions_height = 420;
 
 /// The tractions on the body at seven places of the contact, as arrows.
 Panel tractions(const Rational& f, const Frame& frame, const std::string& note) {
@@ -15,7 +15,7 @@ Panel tractions(const Rational& f, const Frame& frame, const std::string& note) 
   make_isotropic(panel, tractions_height);
   panel.series = {{"obstacle −{/:Italic z} = ψ", Look::line, 2, scene.profile_curve(-1, 1)},
                   {"surface of the body", Look::line, 1, scene.surface_curve(-1, 1)}};
-  panel.legend = LegendAt::top_centre;
+  panel.legend = LegendAt::none;
 
   const auto zone = scene.solution->contact().front();
   constexpr int arrows = 7;
@@ -36,9 +36,10 @@ Panel tractions(const Rational& f, const Frame& frame, const std::string& note) 
 }  // namespace
 
 Figure make_reactions() {
-  Panel without = tractions(0, {0.1, 0.51, 0.2, 0.9}, "no friction: along the normal");
+  Panel without = tractions(0, {0.1, 0.51, 0.305, 0.905}, "no friction: along the normal");
+  without.legend = LegendAt::below;
   without.y.label = "−{/:Italic z} / {/:Italic R}";
-  Panel with = tractions(1, {0.575, 0.985, 0.2, 0.9}, "sliding, {/:Italic f} = 1: slanted by arctan {/:Italic f}");
+  Panel with = tractions(1, {0.575, 0.985, 0.305, 0.905}, "sliding, {/:Italic f} = 1: slanted by arctan {/:Italic f}");
   with.y.labelled = false;
   with.guides.push_back({{-0.15, 0.32}, {0.15, 0.32}, true});
   with.notes.push_back({{0.19, 0.32}, "{/:Italic w}"});

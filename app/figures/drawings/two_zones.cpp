@@ -15,10 +15,10 @@ Figure make_two_zones() {
   const ContactProblem bumps = two_bumps();
   const double edge = 1.9;
   const Axis across{"{/:Italic x} / {/:Italic L}", -edge, edge, false, 0.5};
-  Panel above{{0.1, 0.98, 0.6, 0.93}, across.bare(), {"height  ({/:Italic L})", -0.15, 0.5, false, 0.2}};
-  Panel below{{0.1, 0.98, 0.115, 0.565}, across, {"pressure −{/:Italic t}_n  ({/:Italic E})", 0, 0.75, false, 0.2}};
+  Panel above{{0.1, 0.98, 0.629, 0.935}, across.bare(), {"height  ({/:Italic L})", -0.15, 0.5, false, 0.2}};
+  Panel below{{0.1, 0.98, 0.181, 0.598}, across, {"pressure −{/:Italic t}_n  ({/:Italic E})", 0, 0.75, false, 0.2}};
   above.legend = LegendAt::none;
-  below.legend = LegendAt::top_centre;
+  below.legend = LegendAt::row_below;
   Series profile{"bumps ψ", Look::line, 6, {}};
   for (int i = -190; i <= 190; ++i) {
     const Rational x(i, 100);
@@ -47,8 +47,8 @@ Figure make_two_zones() {
   for (Panel* panel : {&above, &below}) panel->guides.push_back({{0, 0, false, true}, {0, 1, false, true}});
   below.notes = {{{0.03, 0.27, false, true}, exponent_text("β", points[1]), Align::centre, 14, true}};
   above.notes = {{{0.5, 0.88, true, true}, "sliding", Align::centre},
-                 {{-0.04, 0.09, false, true}, "{/:Italic f} = 0.1", Align::right},
-                 {{0.04, 0.09, false, true}, "{/:Italic f} = 0.7"}};
+                 {{-0.04, 0.685, false, true}, "{/:Italic f} = 0.1", Align::right},
+                 {{0.04, 0.685, false, true}, "{/:Italic f} = 0.7"}};
   above.guides.push_back({{0.43, 0.78, true, true}, {0.57, 0.78, true, true}, true});
   return {
       "two-zones",
@@ -57,7 +57,7 @@ Figure make_two_zones() {
       "3/10`; `L` is the unit of length, `E` Young's modulus. Above the bumps and the surface below them at four "
       "loads, below the pressure. Up to a load of about 0.77 there are two zones with free ends, and no contact where "
       "friction jumps; then the zones are one, and the pressure is infinite at the jump like `|x|^beta`.",
-      640,
+      690,
       {above, below}};
 }
 

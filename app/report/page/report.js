@@ -171,14 +171,34 @@
   }));
 
   function close() { panel.hidden = true; }
-  function open(math) {
-    const text = texOf(math), copy = document.createElement("button"), links = document.createElement("ul");
-    copy.type = "button";
-    copy.textContent = "copy as TeX";
-    copy.addEventListener("click", () => {
+  function button(words, act) {
+    const made = document.createElement("button");
+    made.type = "button";
+    made.textContent = words;
+    made.addEventListener("click", act);
+    return made;
+  }
+  // A text with a button that copies it.
+  function copied(text, words, tag) {
+    const code = document.createElement(tag), line = document.createElement("p");
+    code.textContent = text;
+    line.append(button(words, () => {
       const told = () => { said.textContent = "copied"; setTimeout(() => { said.textContent = ""; }, 1500); };
-      navigator.clipboard?.writeText(text).then(told, () => getSelection().selectAllChildren(find("code", panel)));
-    });
+      navigator.clipboard?.writeText(text).then(told, () => getSelection().selectAllChildren(code));
+    }));
+    return [code, line];
+  }
+  function show(beside, name, ...parts) {
+    panel.setAttribute("aria-label", name);
+    panel.replaceChildren(...parts);
+    panel.hidden = false;
+    const at = beside.getBoundingClientRect(), right = document.documentElement.clientWidth - panel.offsetWidth - 16;
+    panel.style.left = `${Math.max(8, Math.min(at.left, right))}px`;
+    panel.style.top = `${at.bottom + scrollY + 4}px`;
+    panel.focus({ preventScroll: true });
+  }
+  function open(math) {
+    const links = document.createElement("ul");
     const used = new Set(parts(math).flatMap((part) => all("mi", part)).map((mi) => mi.textContent));
     [...used].filter((name) => meanings.has(name)).forEach((name) => {
       const symbol = meanings.get(name), item = document.createElement("li"), link = document.createElement("a");
@@ -188,27 +208,39 @@
       item.append(link, `: ${symbol.closest("tr").children[1].textContent}`);
       links.append(item);
     });
-    const code = document.createElement("code"), line = document.createElement("p"), first = document.createElement("p");
-    code.textContent = text;
-    line.append(code);
-    first.append(copy);
-    panel.replaceChildren(line, first, links);
-    panel.hidden = false;
-    const at = math.getBoundingClientRect(), right = document.documentElement.clientWidth - panel.offsetWidth - 16;
-    panel.style.left = `${Math.max(8, Math.min(at.left, right))}px`;
-    panel.style.top = `${at.bottom + scrollY + 4}px`;
-    panel.focus({ preventScroll: true });
+    show(math, "A formula", ...copied(texOf(math), "copy as TeX", "code"), links);
   }
   document.addEventListener("click", (event) => {
     const math = event.target.closest?.("math");
     if (math && getSelection().isCollapsed) {
       event.preventDefault();
       open(math);
-    } else if (!event.target.closest?.("#formula")) {
+    } else if (!event.target.closest?.("#formula, .cite")) {
       close();
     }
   });
   document.addEventListener("keydown", (event) => { if (event.key === "Escape") close(); });
+
+  // ---- citations of a verdict, from the pattern at the end of the page
+
+  const pattern = all("#cite > *");
+  function citable(home, words, key, what) {
+    const filled = (part) => part.textContent.replace("KEY", key).replace("WHAT", what).trim();
+    const cite = button(words, () => {
+      const [text, bibtex] = pattern.map(filled);
+      show(cite, "Citation", ...copied(text, "copy as text", "p"), ...copied(bibtex, "copy as BibTeX", "pre"));
+    });
+    cite.className = "cite";
+    cite.setAttribute("aria-label", `cite this verdict: ${key}`);
+    home.append(" ", cite);
+  }
+  all(".claim").forEach((claim) => citable(find(".again", claim), "cite this verdict", claim.id, `entry ${claim.id}, ${claim.dataset.verdict}`));
+  all("#paper tbody > tr").forEach((row) => {
+    const said = (label) => [...row.cells].find((cell) => cell.dataset.label === label);
+    const verdict = said("verdict"), place = said("place")?.textContent, words = verdict.textContent;
+    const name = place ? `${place} of Ballard (2016): ${said("statement").textContent}` : said("statement").textContent;
+    citable(verdict, "cite", (place ?? name).toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, ""), `${name}, ${words}`);
+  });
 
   // ---- marks the visible section in the contents
 

@@ -4,7 +4,7 @@
 const margin = {left: 46, right: 12, top: 22, bottom: 34};
 
 /// Sizes of all drawings in CSS pixels, so that letters have one size on every screen.
-const sheet = {width: 720, heights: {pressure: 300, surface: 170, stress: 230}};
+const sheet = {width: 720, heights: {pressure: 300, surface: 180, stress: 272}};
 
 /// Returns a number for readers: a few digits, and a real minus sign.
 function shown(value, digits = 4) {
@@ -86,9 +86,9 @@ function drawPressure(home, samples, solution, x) {
     `<g clip-path="url(#plot)"><path class="pressure" d="${lines.pressure}"/><path class="shear" d="${lines.shear}"/></g>` + texts.join('');
 }
 
-/// Draws the indenter above and the body with its coatings below.
+/// Draws the indenter with its coatings above, and the body below.
 function drawSurface(svg, samples, solution, state, support, x) {
-  const top = 16, bottom = sheet.heights.surface - margin.bottom;
+  const top = 30, bottom = sheet.heights.surface - margin.bottom;
   const heights = Array.from(samples.profile);
   const surface = heights.map((psi, i) => psi - samples.gap[i]);
   const beyond = Array.from(samples.beyond.height);
@@ -96,19 +96,22 @@ function drawSurface(svg, samples, solution, state, support, x) {
   const low = Math.min(...all), high = Math.max(...all);
   const room = Math.max(high - low, 1e-9);
   const y = scale(low - 0.5 * room, high + 0.35 * room, bottom, top);
-  const indenter = heights.map((h, i) => point(x(samples.x[i]), y(h)));
+  const indenter = heights.map((h, i) => point(x(samples.x[i]), y(h))).join('L');
   const known = samples.beyond.x.length / 2;
   const outside = (from, to) => beyond.slice(from, to).map((h, i) => point(x(samples.beyond.x[from + i]), y(h)));
   const body = [...outside(0, known), ...surface.map((h, i) => point(x(samples.x[i]), y(h))), ...outside(known, 2 * known)];
   const values = state.values.map(Number), largest = Math.max(...values, 1e-9);
-  const bounds = [x.from, ...state.jumps.map(Number), x.to].map(x);
-  const coats = values.map((f, k) => `<rect x="${bounds[k].toFixed(2)}" y="0" width="${Math.max(bounds[k + 1] - bounds[k], 0).toFixed(2)}" height="${bottom}" fill="hsl(28 35% ${Math.round(86 - 38 * f / largest)}%)"/>`);
-  const first = x(-support).toFixed(2), arrow = state.sliding === '+x' ? 1 : -1;
-  svg.innerHTML = `<clipPath id="body"><path d="M${margin.left} ${bottom}L${body.join('L')}L${sheet.width - margin.right} ${bottom}Z"/></clipPath>` +
-    `<g clip-path="url(#body)">${coats.join('')}</g>` +
-    `<path d="M${first} ${top - 12}L${indenter.join('L')}L${x(support).toFixed(2)} ${top - 12}Z" fill="#c9d2dc"/>` +
-    `<path d="M${indenter.join('L')}" fill="none" stroke="#3c4650" stroke-width="1.5"/>` +
-    `<path d="M${x(0) - 26 * arrow} ${top + 2}h${52 * arrow}m${-9 * arrow} -5l${9 * arrow} 5l${-9 * arrow} 5" fill="none" stroke="#1b1f24" stroke-width="2"/>` +
+  const bounds = [-support, ...state.jumps.map(Number), support].map(x);
+  const wide = values.map((_, k) => Math.max(bounds[k + 1] - bounds[k], 0));
+  const coats = values.map((f, k) => `<clipPath id="coating-${k}"><rect x="${bounds[k].toFixed(2)}" y="0" width="${wide[k].toFixed(2)}" height="${bottom}"/></clipPath>` +
+    `<path d="M${indenter}" clip-path="url(#coating-${k})" fill="none" stroke="hsl(28 60% ${Math.round(84 - 44 * f / largest)}%)" stroke-width="18"/>`);
+  const names = values.map((f, k) => wide[k] < 34 ? '' : `<text x="${(bounds[k] + wide[k] / 2).toFixed(2)}" y="12" text-anchor="middle">${wide[k] < 64 ? '' : 'f = '}${shown(f)}</text>`);
+  const shape = `M${x(-support).toFixed(2)} 0L${indenter}L${x(support).toFixed(2)} 0Z`, arrow = state.sliding === '+x' ? 1 : -1;
+  svg.innerHTML = `<clipPath id="indenter"><path d="${shape}"/></clipPath>` +
+    `<path d="M${margin.left} ${bottom}L${body.join('L')}L${sheet.width - margin.right} ${bottom}Z" fill="#dfeaf3"/>` +
+    `<path d="${shape}" fill="#d3d8de"/><g clip-path="url(#indenter)">${coats.join('')}</g>` +
+    `<path d="M${indenter}" fill="none" stroke="#3c4650" stroke-width="1.5"/>` + names.join('') +
+    `<path d="M${x(0) - 26 * arrow} 23h${52 * arrow}m${-9 * arrow} -5l${9 * arrow} 5l${-9 * arrow} 5" fill="none" stroke="#1b1f24" stroke-width="2"/>` +
     axes(x, null, bottom, bottom, '');
 }
 
@@ -119,14 +122,18 @@ function shade(t) {
   return stops[k].map((c, i) => c + (at - k) * (stops[k + 1][i] - c));
 }
 
+/// The stress of the darkest shade, in mean pressures.
+const darkest = 1.5;
+
+/// Draws the stresses, and a scale bar below them.
 function drawStress(canvas, stresses, columns, rows, mean, depth, x) {
   const small = new OffscreenCanvas(columns, rows), image = new ImageData(columns, rows);
   for (let i = 0; i < stresses.length; ++i) {
-    image.data.set(shade(stresses[i] / mean / 1.5), 4 * i);
+    image.data.set(shade(stresses[i] / mean / darkest), 4 * i);
     image.data[4 * i + 3] = 255;
   }
   small.getContext('2d').putImageData(image, 0, 0);
-  const context = canvas.getContext('2d'), bottom = sheet.heights.stress - margin.bottom, left = margin.left, right = sheet.width - margin.right;
+  const context = canvas.getContext('2d'), bottom = sheet.heights.stress - margin.bottom - 42, left = margin.left, right = sheet.width - margin.right;
   const {width, heights: {stress: height}} = sheet;
   context.setTransform(canvas.width / width, 0, 0, canvas.height / height, 0, 0);
   context.clearRect(0, 0, width, height);
@@ -141,4 +148,13 @@ function drawStress(canvas, stresses, columns, rows, mean, depth, x) {
   for (const v of acrossTicks(x)) context.fillText(tick(v), x(v), bottom + 20);
   context.textAlign = 'right';
   for (const v of ticks(0, depth, 3)) context.fillText(tick(v), left - 6, Math.max(y(v) + 4, 12));
+  const bar = {left, top: bottom + 34, width: Math.min(260, right - left - 40), height: 12};
+  for (let k = 0; k < bar.width; ++k) {
+    context.fillStyle = `rgb(${shade((k + 0.5) / bar.width).join(' ')})`;
+    context.fillRect(bar.left + k, bar.top, 1.5, bar.height);
+  }
+  context.strokeRect(bar.left, bar.top, bar.width, bar.height);
+  context.fillStyle = '#1b1f24';
+  context.textAlign = 'center';
+  for (const v of [0, 0.5, 1, 1.5]) context.fillText(shown(v * mean, 3), bar.left + v / darkest * bar.width, bar.top + bar.height + 15);
 }

@@ -47,6 +47,8 @@ class Problem:
         The ends of the indenter.
     elastic : dict
         The material of the indenter, {"poisson": ..., "young": ...}.
+    units : dict
+        Names of units for the axes of pictures, {"length": "mm", "force": "N"}.
 
     Raises
     ------
@@ -76,7 +78,8 @@ class Problem:
                  jumps: Sequence[Exact] | np.ndarray | None = None, profile: Exact | None = None,
                  pieces: Sequence[tuple[Exact, Exact]] | None = None,
                  samples: str | PathLike[str] | Sequence[Any] | np.ndarray | Mapping[str, Any] | None = None,
-                 support: Sequence[Exact] | np.ndarray | None = None, elastic: Mapping[str, Exact] | None = None) -> None:
+                 support: Sequence[Exact] | np.ndarray | None = None, elastic: Mapping[str, Exact] | None = None,
+                 units: Mapping[str, str] | None = None) -> None:
         if isinstance(pieces, (list, tuple)):
             pieces = [dict(zip(("to", "profile"), piece)) if isinstance(piece, (list, tuple)) else piece for piece in pieces]
         if _document.is_pair(friction):
@@ -85,7 +88,7 @@ class Problem:
         else:
             friction = {"values": friction, "jumps": jumps}
         self._set({
-            "load": load, "load_at": load_at, "sliding": sliding,
+            "load": load, "load_at": load_at, "sliding": sliding, "units": units,
             "half_space": {"poisson": poisson, "young": young, "plane": plane, "gamma": gamma}, "friction": friction,
             "indenter": {"support": support, "profile": profile, "pieces": pieces, "samples": samples, "elastic": elastic}})
 

@@ -74,7 +74,7 @@ TEST_CASE("--data writes tables, --format other pictures") {
 }
 
 TEST_CASE("the copies in docs/ equal the figures that the program draws") {
-  for (const char* name : {"sketch", "friction-direction"}) {
+  for (const char* name : {"sketch", "friction-direction", "rough-surface"}) {
     const std::string copy = file_text(STEADYSLIDE_DOCS "/" + std::string(name) + ".svg");
     CHECK_MESSAGE((copy == draw(made(name)).picture), "steadyslide figures -o docs --figure ", name);
     CHECK((copy != draw(made("parabola")).picture));

@@ -49,7 +49,7 @@ bool has_note(const Panel& panel, const std::string& text) {
 TEST_CASE("the sketch has the contact of solve, and the surface beside it lies below the indenter") {
   const Panel& panel = made("sketch").panels.front();
   CHECK(panel.bare);
-  const double left = panel.guides[5].from.x, right = panel.guides[6].from.x;
+  const double left = panel.guides[6].from.x, right = panel.guides[7].from.x;
   const std::vector<double> pressure =
       pressures({"0.2", "0.3, 1", "0.2", "x^2/3", "0.25"}, {left - 0.001, left + 0.001, right - 0.001, right + 0.001});
   CHECK(pressure[0] == 0);
@@ -61,6 +61,9 @@ TEST_CASE("the sketch has the contact of solve, and the surface beside it lies b
     const bool inside = surface.x >= left && surface.x <= right;
     CHECK((inside ? std::abs(gap) < 1e-9 : gap > 0));
   }
+  // z = 0 is the mean height of the surface's ends.
+  const std::vector<Point>& surface = panel.series[2].points;
+  CHECK(panel.guides[2].from.y == doctest::Approx((surface.front().y + surface.back().y) / 2));
   // The coatings meet at the jump.
   CHECK(panel.series[3].points.back().x == doctest::Approx(0.2));
   CHECK(panel.series[4].points.front().x == doctest::Approx(0.2));

@@ -44,6 +44,10 @@ document.querySelector("#eq-04-flat-punch .statement math").dispatchEvent(new Mo
 r.tex = document.querySelector("#formula code").textContent;
 r.symbols = Array.prototype.map.call(document.querySelectorAll("#formula a"), function (a) {
   return document.querySelector(a.hash).textContent; });
+// A verdict is cited as text and as BibTeX.
+document.querySelector("#energy-identity .cite").click();
+r.cited = document.querySelector("#formula > p").textContent;
+r.bibtex = document.querySelector("#formula > pre").textContent.split("\n")[0];
 // A link opens its statement, even if the filter hides it.
 type("flat punch");
 location.hash = "#energy-identity";

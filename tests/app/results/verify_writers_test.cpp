@@ -48,7 +48,8 @@ TEST_CASE("text gives the reason why a claim is not settled") {
 
 TEST_CASE("JSON of a whole result") {
   const std::string expected = file_text(STEADYSLIDE_TESTS "/app/results/verify.json");
-  CHECK(written(Format::json, bad_result()) == replaced(expected, "VERSION", STEADYSLIDE_VERSION));
+  CHECK(written(Format::json, bad_result()) ==
+        replaced(replaced(expected, "VERSION", STEADYSLIDE_VERSION), "COMMIT", app::commit()));
 }
 
 TEST_CASE("text has a proof as a tree if requested, JSON always has it") {
@@ -83,12 +84,12 @@ TEST_CASE("the verdict on a statement of the paper is that of its weakest claim"
   reports.back().claim.id = "gamma-range";
   CHECK(refuted(reports).second == 0);
   PaperStatement part = statement;
-  CHECK(standing(part, Verdict::proved) == "proved as printed");
+  CHECK(standing(part, Verdict::proved) == "proved");
   part.restriction = "without bounded bodies";
-  CHECK(standing(part, Verdict::proved) == "proved with a restriction");
+  CHECK(standing(part, Verdict::proved) == "proved, restricted");
   CHECK(standing(part, Verdict::supported) == "supported");
   part.reconstructed = true;
-  CHECK(standing(part, Verdict::proved) == "proved as reconstructed");
+  CHECK(standing(part, Verdict::proved) == "proved, as reconstructed");
 }
 
 TEST_CASE("Markdown escapes characters that would end a cell") {
