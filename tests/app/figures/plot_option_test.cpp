@@ -182,13 +182,13 @@ TEST_CASE("the curves are the samples of the result, for every method") {
     CHECK(met(wanted.pressure, below.curve(1), below) == wanted.pressure.size());
     CHECK(met(wanted.shear, below.curve(2), below) == wanted.shear.size());
     // The upper panel ends beside the contact.
-    const Points surface = above.curve(2);
+    const Points surface = above.curve(3);
     std::erase_if(wanted.surface, [&](const auto& point) {
       return point.first < surface.front().first || point.first > surface.back().first;
     });
     CHECK(met(wanted.surface, surface, above) == wanted.surface.size());
 
-    const Points bars = above.curve(3);
+    const Points bars = above.curve(4);
     REQUIRE(bars.size() == 2 * components);
     for (std::size_t k = 0; k < components; ++k) {
       const Json& zone = solution["contact"][k];
@@ -199,6 +199,33 @@ TEST_CASE("the curves are the samples of the result, for every method") {
     for (auto& [x, y] : wanted.pressure) y *= 1.002;
     CHECK(met(wanted.pressure, below.curve(1), below) < wanted.pressure.size() * 9 / 10);
   }
+}
+
+TEST_CASE("friction values stand on the indenter, and units at the axes") {
+  const TemporaryFolder folder;
+  const auto text = [&](const std::string& problem) {
+    out_of(folder.run({"solve", "-", "-o", "text", "--plot", "p.svg"}, problem));
+    return shown_text(folder.read("p.svg"));
+  };
+  const std::string problem =
+      "load = 3\nhalf_space.poisson = 0.2\nfriction = {values = [0.1, '1/3', 0.5], jumps = [-0.5, 0.5]}\n"
+      "indenter.profile = '0'\n";
+  const std::string plain = text(problem);
+  check_holds(plain, {"f = 0.1\n", "\n0.333\n", "load 3, ", "(user's unit of length)", "(user's unit of stress)"});
+  const std::string named = text(problem + "units = {length = 'mm', force = 'N'}\n");
+  check_holds(named, {"f = 0.1\n", "load 3 N/mm, ", "x  (mm)\n", "height  (mm)\n", "traction  (N/mm²)\n"});
+  CHECK_FALSE(holds(named, "user's unit"));
+  // Only a length: stresses have no name. Signs of gnuplot are signs of a text.
+  check_holds(text(problem + "units = {length = 'in_{x}'}\n"), {"x  (in_{x})\n", "(user's unit of stress)"});
+  // Values without room are counted.
+  std::string values = "0", jumps;
+  for (int k = 1; k < 200; ++k) {
+    values += ", " + std::to_string(k);
+    jumps += (k == 1 ? "'" : ", '") + std::to_string(k - 100) + "/100'";
+  }
+  check_holds(text("load = 1\nhalf_space.poisson = 0.2\nfriction = {values = [" + values + "], jumps = [" + jumps +
+                   "]}\nindenter.profile = '0'\n"),
+              {"f = 0\n", "friction values more are in the results", "exponents more are in the results"});
 }
 
 TEST_CASE("one picture shows both directions of sliding") {
@@ -244,8 +271,8 @@ TEST_CASE("--plot draws PDF or PNG by the ending of the name") {
     CHECK(folder.read(file).starts_with(magic));
     CHECK(folder.read(file).size() > 10000);
   }
-  // 1600 x 1240 pixels, big-endian, in the header of a PNG.
-  CHECK(folder.read("p.png").substr(16, 8) == std::string("\0\0\x06\x40\0\0\x04\xd8", 8));
+  // 1600 x 1360 pixels, big-endian, in the header of a PNG.
+  CHECK(folder.read("p.png").substr(16, 8) == std::string("\0\0\x06\x40\0\0\x05\x50", 8));
 }
 
 TEST_CASE("a picture says that a problem is not solved, and shows the part of a trace around the contact") {

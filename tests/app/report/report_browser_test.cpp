@@ -107,7 +107,7 @@ Json drive(const TemporaryFolder& folder, const std::string& file) {
 TEST_CASE("the ledger in a browser: filter, verdicts, order, folds, links, print") {
   if (skipped()) return;
   CHECK(drive(Page().folder, "ledger.js") ==
-        Json::parse(replaced(script("ledger.json"), "VERSION", STEADYSLIDE_VERSION)));
+        Json::parse(std::regex_replace(script("ledger.json"), std::regex("VERSION"), STEADYSLIDE_VERSION)));
 }
 
 TEST_CASE("on a phone nothing is wider than the page, in both colour schemes") {

@@ -1,3 +1,4 @@
+#include "app/embedded.hpp"
 #include "app/verify/verify_writers.hpp"
 #include "app/command_line.hpp"
 #include "proofs_checks/kit/proofs.hpp"
