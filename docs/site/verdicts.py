@@ -27,7 +27,7 @@ def cite(found, key, what):
     place = f"steadyslide {found['version']}{commit}, {found['date']}"
     bibtex = (f"@misc{{steadyslide-{key},\n  author = {{{{The steadyslide contributors}}}},\n  title = {{{what}}},\n"
               f"  year = {{{found['date'][:4]}}},\n  note = {{{place}}},\n}}")
-    return (f'<details class="cite"><summary>cite this verdict</summary><p>{html.escape(f"{place}: {what}.")}</p>'
+    return (f'<details class="cite"><summary aria-label="cite this verdict: {key}">cite</summary><p>{html.escape(f"{place}: {what}.")}</p>'
             f'<pre tabindex="0">{html.escape(bibtex)}</pre></details>')
 
 

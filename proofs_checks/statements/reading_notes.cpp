@@ -1,9 +1,12 @@
 #include "proofs_checks/statements/reading_notes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <boost/algorithm/string/join.hpp>
+#include <boost/algorithm/string/replace.hpp>
 #include <map>
 #include <ranges>
+#include <regex>
 
 #include "symbolic/statements/statements.hpp"
 
@@ -53,6 +56,43 @@ std::vector<Entry> entries() {
   return all;
 }
 
+/// Returns the text with `pattern` between backticks, and blanks for the signs of products in it. What stands between
+/// backticks already does not change.
+std::string with_marks(const std::string& text, const std::regex& pattern) {
+  std::string result;
+  for (std::size_t at = 0, part = 0; at <= text.size(); ++part) {
+    const std::size_t end = std::min(text.find('`', at), text.size());
+    std::string piece = text.substr(at, end - at);
+    if (part % 2 == 0) {
+      std::string marked;
+      std::sregex_iterator match(piece.begin(), piece.end(), pattern), last;
+      std::size_t done = 0;
+      for (; match != last; ++match) {
+        const auto begin = static_cast<std::size_t>(match->position(1));
+        marked += piece.substr(done, begin - done) + "`" + boost::replace_all_copy(match->str(1), "*", " ") + "`";
+        done = begin + match->str(1).size();
+      }
+      piece = marked + piece.substr(done);
+    }
+    result += piece + (end < text.size() ? "`" : "");
+    at = end + 1;
+  }
+  return result;
+}
+
+/// Returns what a check found, "A t = u'/c: relative difference 2.9e-01 ... at nu = 0.3, f = 1", with its formulas
+/// between backticks.
+std::string with_formulas(std::string text) {
+  static const std::array patterns{
+      std::regex(R"((?:: | in place of )([-\w*+() ^/]+?)(?= in place of |;))"),
+      std::regex(
+          R"((A t = u'/c|\|x\|\^lambda|\bx [<>] 0|u'(?= over theta)|theta(?= d\^p)|d\^p|d\^lambda|u_bar'|\b(?:L|phi)\(\w+\)))"),
+      std::regex(R"(((?:\b(?:nu|psi|gamma|[fsEP])|u') !?= -?[\w.*^/]+(?: [-+] [\w.*^/]+)*(?:, -?\d[\d./]*)*))"),
+      std::regex(R"((\b\d\.\de[-+]\d+\b))")};
+  for (const std::regex& pattern : patterns) text = with_marks(text, pattern);
+  return text;
+}
+
 /// Returns the run's verdict on the claim. If the printed reading is one of its controls, also the result of this
 /// control.
 std::string examined(const std::string& claim, const std::string& printed, std::span<const Report> reports) {
@@ -63,7 +103,7 @@ std::string examined(const std::string& claim, const std::string& printed, std::
   const auto control = std::ranges::find(report->controls, printed, &ControlReport::name);
   if (control == report->controls.end()) return "claim " + claim + " has no such control";
   text += control->refuted ? "; the printed reading is refuted (" : "; the printed reading was not refuted (";
-  return text + control->detail + ")";
+  return text + with_formulas(control->detail) + ")";
 }
 
 }  // namespace
@@ -77,7 +117,7 @@ std::vector<ReadingNote> reading_notes(std::span<const Report> reports) {
     std::vector<std::string> evidence;
     if (!claim.empty()) evidence.push_back(examined(claim, control, reports) + ".");
     const auto found = std::ranges::find(local, e.id, &symbolic::LocalReading::id);
-    if (found != local.end()) evidence.push_back(found->found);
+    if (found != local.end()) evidence.push_back(with_formulas(found->found));
     evidence.insert(evidence.end(), {e.part("evidence"), reason});
     std::erase(evidence, std::string());
     notes.push_back({e.id, e.place, e.part("printed"), e.part("derived"), boost::algorithm::join(evidence, " "), fault,

@@ -208,6 +208,19 @@ TEST_CASE("every reading note with a claim names one that exists, and a control 
   }
 }
 
+TEST_CASE("the evidence of a reading note has its formulas between backticks") {
+  Report report;
+  report.claim.id = "eq-04-flat-punch";
+  report.controls = {{"the printed `(1+x)^{1/2}` instead of `(1+x)^{1/2+alpha}`", true,
+                      "A t = u'/c at points: relative difference 2.9e-01 at nu = 0.3, f = 0.5, 2, psi = 0.5*x + 1"}};
+  const std::string evidence = reading_notes(std::vector{report}).front().evidence;
+  for (const char* part : {"(`A t = u'/c` at points: relative difference `2.9e-01` at `nu = 0.3`, `f = 0.5, 2`, "
+                           "`psi = 0.5 x + 1`).",
+                           "`|x|^lambda`, `x > 0`: `-s_r theta` in place of `0`; the derived form holds."}) {
+    CHECK_MESSAGE(holds(evidence, part), evidence);
+  }
+}
+
 TEST_CASE("every reading note weighs print against extraction, with its formulas between backticks") {
   for (const ReadingNote& note : reading_notes({})) {
     CAPTURE(note.id);
