@@ -62,6 +62,8 @@ std::optional<Part> VariationalSolution::penetrated_part(const variational::Disc
     if (indenter + displacement_beyond(found_.fine, own(xi)) >= state().approach) return;
     result = joined(result.value_or(Part{xi, xi}), {xi, xi});
   };
+  look(cells.left(0), Side::right);
+  look(cells.right(n - 1), Side::left);
   for (std::size_t i = 0; i < n; ++i) look(cells.centre(i), Side::left);
   for (const double xi : profile.breaks()) {
     look(xi, Side::left);

@@ -60,6 +60,19 @@ std::pair<double, double> VariationalSolution::MeshLoads::largest_average(double
   return best;
 }
 
+double VariationalSolution::open_error(const std::function<double(const MeshLoads&)>& on_mesh) const {
+  double error = 0;
+  const double growth = std::exp2(mesh_rate_);
+  double weight = 2 / (growth - 1);
+  double last = on_mesh(meshes_.front());
+  for (std::size_t k = 1; k < meshes_.size(); ++k, weight /= growth) {
+    const double next = on_mesh(meshes_[k]);
+    error += weight * std::abs(next - last);
+    last = next;
+  }
+  return error;
+}
+
 double VariationalSolution::load_in_doubt(const Run& run) const {
   constexpr double few = 16;
   const auto n = static_cast<double>(run.end - run.begin);

@@ -34,6 +34,34 @@ double sum_over(const std::vector<VariationalSolution::Run>& runs, const F& f) {
   return sum;
 }
 
+/// The ratio of shear to normal traction at places from left to right.
+class ShearRatios {
+ public:
+  ShearRatios(const ContactProblem& problem, const variational::CellMesh& mesh) : problem_(problem), mesh_(mesh) {
+    set();
+  }
+  double at(double xi) {
+    while (next_ <= xi) {
+      ++piece_;
+      set();
+    }
+    return ratio_;
+  }
+
+ private:
+  void set() {
+    ratio_ = to_real<double>(problem_.shear_ratio(piece_));
+    const std::vector<Rational>& jumps = problem_.friction().jumps();
+    next_ = piece_ == jumps.size() ? infinity<double>() : mesh_.place(jumps[piece_]);
+  }
+
+  const ContactProblem& problem_;
+  const variational::CellMesh& mesh_;
+  std::size_t piece_ = 0;
+  double ratio_ = 0;
+  double next_ = 0;  ///< the end of the piece
+};
+
 }  // namespace
 
 using variational::DiscreteState;
@@ -233,12 +261,9 @@ std::vector<double> VariationalSolution::shear_transform(const std::vector<doubl
   fourier.forward();
   const std::vector<std::complex<double>> kernel(fourier.modes().begin(), fourier.modes().end());
   std::fill(values.begin(), values.end(), 0.0);
-  const std::vector<Rational>& jumps = problem_.friction().jumps();
-  std::size_t piece = 0;
+  ShearRatios ratios(problem_, mesh());
   for (std::size_t i = 0; i < n; ++i) {
-    const double middle = (static_cast<double>(i) + 0.5) / static_cast<double>(n) - 0.5;
-    while (piece < jumps.size() && mesh().place(jumps[piece]) <= middle) ++piece;
-    values[i] = to_real<double>(problem_.shear_ratio(piece)) * traction[i];
+    values[i] = ratios.at((static_cast<double>(i) + 0.5) / static_cast<double>(n) - 0.5) * traction[i];
   }
   fourier.forward();
   std::vector<double> result(n);
@@ -250,12 +275,9 @@ TwoSided<double> VariationalSolution::shear_slope(double xi, const TwoSided<doub
   const double c = to_real<double>(problem_.elasticity().compliance());
   const double gamma = to_real<double>(problem_.elasticity().gamma());
   if (xi < mesh().edges().front() || xi > mesh().edges().back()) {
-    std::size_t piece = 0;
-    const std::vector<Rational>& jumps = problem_.friction().jumps();
+    ShearRatios ratios(problem_, mesh());
     const double sum = sum_over(runs_, [&](std::size_t i) {
-      while (piece < jumps.size() && mesh().place(jumps[piece]) <= mesh().centre(i)) ++piece;
-      return to_real<double>(problem_.shear_ratio(piece)) * traction_[i] *
-             kernel().slope(mesh().left(i), mesh().right(i), xi);
+      return ratios.at(mesh().centre(i)) * traction_[i] * kernel().slope(mesh().left(i), mesh().right(i), xi);
     });
     return slope_beyond(c / std::numbers::pi * sum);
   }

@@ -103,7 +103,7 @@ double VariationalSolution::coarse_traction(std::size_t i) const {
   return coarse_traction_[(2 * i + 1) * coarse_traction_.size() / (2 * traction_.size())];
 }
 
-EstimatedError<double> VariationalSolution::estimated_error() const {
+EstimatedError<double> VariationalSolution::errors() const {
   EstimatedError<double> result{0, 0, 0};
   if (runs_.empty()) return result;
   const double hull = mesh().right(runs_.back().end - 1) - mesh().left(runs_.front().begin);

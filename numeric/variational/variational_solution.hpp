@@ -2,6 +2,8 @@
 // The solution that variational_inequality() returns: a solution on cells in the user's units and x. The cells may cover
 // a part of the support; outside them there is no contact.
 
+#include <functional>
+
 #include "numeric/number/once.hpp"
 #include "numeric/solution/contact_solution.hpp"
 #include "numeric/variational/local_fit.hpp"
@@ -58,7 +60,9 @@ class VariationalSolution : public ContactSolution<double> {
   LargestPressure<double> largest_pressure() const override;
   AveragePressure<double> largest_average_pressure(const double& length) const override;
   std::optional<Estimate<double>> tilt() const override;
-  EstimatedError<double> estimated_error() const override;
+  EstimatedError<double> estimated_error() const override {
+    return estimated_error_([this] { return errors(); });
+  }
   /// Returns the residuals of the certificate. `equation` is the largest mean gap of a cell in contact, in units of c
   /// P.
   Residuals<double> residuals() const override;
@@ -108,26 +112,15 @@ class VariationalSolution : public ContactSolution<double> {
   };
   /// Returns the traction on one of the nested meshes.
   PiecewiseTraction<double> traction_on(const MeshLoads& loads) const;
-  /// Returns the error of a quantity that each mesh gives, `on_mesh(MeshLoads) -> double`.
-  template <class OnMesh>
-  double open_error(OnMesh on_mesh) const {
-    double error = 0;
-    const double growth = std::exp2(mesh_rate_);
-    double weight = 2 / (growth - 1);
-    double last = on_mesh(meshes_.front());
-    for (std::size_t k = 1; k < meshes_.size(); ++k, weight /= growth) {
-      const double next = on_mesh(meshes_[k]);
-      error += weight * std::abs(next - last);
-      last = next;
-    }
-    return error;
-  }
+  /// Returns the error of a quantity that each mesh gives.
+  double open_error(const std::function<double(const MeshLoads&)>& on_mesh) const;
   /// Returns the error of a run's load due to its few cells, as a fraction of P.
   double load_in_doubt(const Run& run) const;
   /// Returns the fraction of P that may lie on the other side of a friction jump at xi, next to which contact ends.
   double load_beyond_end(double xi) const;
 
   void find_runs();
+  EstimatedError<double> errors() const;
   /// Returns the error of the load shares, and of the centre of pressure as a fraction of the contact.
   double resultant_error() const;
   /// Returns the largest difference from the coarser mesh: of a load share, or of the centre as a fraction of the
@@ -190,6 +183,7 @@ class VariationalSolution : public ContactSolution<double> {
   /// cells have the rate 1.
   double mesh_rate_ = 2;
   Once<Estimate<double>> height_at_origin_;
+  Once<EstimatedError<double>> estimated_error_;
 };
 
 }  // namespace steadyslide::numeric

@@ -248,6 +248,15 @@ def test_proofs_have_certificates(tmp_path):
     assert float(gap.x) == pytest.approx(0.25, rel=1e-15) and gap.log10_length < -1000
 
 
+def test_a_proof_on_cells_needs_the_whole_support():
+    problem = ss.Problem(load="0.01", poisson="0.3", friction=["0.3"], profile="x^2/2")
+    assert problem.solve(method="variational", cells=512).certify().proved
+    refused = problem.solve(method="variational", accuracy=1e-3).certify()
+    assert not refused.proved
+    assert refused.reason == ("the cells lie on the contact; a proof needs equal cells on the whole support: "
+                              "cells = 4096")
+
+
 def test_the_module_says_what_it_is():
     assert ss.__version__.count(".") == 2
     for name in ss.__all__:

@@ -95,6 +95,26 @@ TEST_CASE("the warning for a gap that is too short for its numbers gives its ord
   CHECK(holds(certified.out + certified.err, "not proved"));
 }
 
+TEST_CASE("kinks that are the rounding of measured heights have no warning; larger ones have") {
+  const auto lined = [](double third) {
+    std::string trace;
+    for (int k = -10; k <= 10; ++k) {
+      std::ostringstream height;
+      height.precision(17);
+      height << 0.11 * (k / 10.0) + 0.3 + (k == -3 ? third : 0);
+      trace += std::to_string(k) + "/10," + height.str() + "\n";
+    }
+    const TemporaryFolder folder{{"trace.csv", trace}};
+    const std::string problem =
+        "load = 1\nload_at = \"0.01\"\n[half_space]\npoisson = \"0.3\"\n[friction]\nvalues = [\"0.2\"]\n[indenter]\n"
+        "samples = \"trace.csv\"\n";
+    return folder.run({"solve", "-"}, problem).err;
+  };
+  CHECK(holds(lined(0), "contact reaches a cut end"));
+  CHECK_FALSE(holds(lined(0), "gaps over notches"));
+  CHECK(holds(lined(1e-12), "gaps over notches"));
+}
+
 TEST_CASE("warnings of load steps name the load") {
   const auto turned = [](double x) { return -bowl(x) + 0.1 * x; };
   const Answer steps = solve_trace(turned, {"--load-steps", "0.01,0.02"});

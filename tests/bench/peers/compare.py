@@ -27,7 +27,7 @@ OCTAVES = range(4, 19)
 def share(program, problem, *options):
     """Returns the first load share with all its digits, and the least user time of three runs of the whole program."""
     runs = [run(program, os.path.join(HERE, problem), ["--format", "json", *options]) for _ in range(3)]
-    return Fraction(json.loads(runs[0][0])["resultants"]["load_share"][0]["value"]), min(seconds for _, seconds in runs)
+    return Fraction(json.loads(runs[0][0], parse_float=str)["resultants"]["load_share"][0]["value"]), min(seconds for _, seconds in runs)
 
 
 def error(share, truth):
