@@ -102,6 +102,23 @@ async function jumpsMoveByKeysAndPointer() {
   assert.match(await page.run(`document.querySelector('#summary').textContent`), /blows up like .*effective friction/);
 }
 
+/// The coatings are on the indenter, with their friction values, and below the stresses is a bar from white to black.
+async function coatingsAndScaleAreDrawn() {
+  await page.run(`explorerPage.set('profile=parabola&size=0.5&values=0.1,0.5,0.3&jumps=-0.5,0.4&sliding=+x&load=0.3')`);
+  const drawn = await page.run(`(() => {
+    const svg = document.querySelector('#surface'), canvas = document.querySelector('#stress'), fine = canvas.width / sheet.width;
+    const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d', { willReadFrequently: true });
+    copy.drawImage(canvas, 0, 0);
+    const shadeAt = x => [...copy.getImageData(x * fine, (sheet.heights.stress - 34) * fine, 1, 1).data.slice(0, 3)];
+    return { texts: [...svg.querySelectorAll('text')].map(text => text.textContent), coatings: svg.querySelectorAll('[clip-path="url(#indenter)"] > path').length,
+      bar: [shadeAt(margin.left + 2), shadeAt(margin.left + 258)] };
+  })()`);
+  for (const text of ['f = 0.1', 'f = 0.5', 'f = 0.3']) assert.ok(drawn.texts.includes(text), `${text} is not on the indenter`);
+  assert.equal(drawn.coatings, 3);
+  const [white, black] = drawn.bar;
+  assert.ok(Math.min(...white) > 240 && Math.max(...black) < 60, `the bar goes from ${white} to ${black}`);
+}
+
 async function takePictures() {
   for (const [width, height] of [[1300, 1150], [390, 2600]]) {
     await page.size(width, height);
@@ -123,6 +140,7 @@ try {
   await updatesAreFast();
   await complaintsAreTheModels();
   await jumpsMoveByKeysAndPointer();
+  await coatingsAndScaleAreDrawn();
   if (pictures) await takePictures();
   assert.deepEqual(page.problems, []);
   status = 0;
