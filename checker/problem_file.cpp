@@ -200,7 +200,7 @@ void read_bodies(const Reader& file, Problem& p) {
 
 Problem Problem::of_file(const std::string& name) {
   const Reader file = Reader::of_toml(read_file(name), name);
-  file.check_keys({"load", "half_space", "friction", "indenter"}, {"load_at", "sliding"});
+  file.check_keys({"load", "half_space", "friction", "indenter"}, {"load_at", "sliding", "units"});
   Problem p;
   p.loads = {file["load"].rational(), file["load"].rational()};
   if (file.has("load_at")) p.load_at = file["load_at"].rational();

@@ -244,7 +244,7 @@ void TractionRepresentation<R>::tractions(std::size_t segment, std::span<const R
   for (std::size_t i = 0; i < values.size(); ++i) {
     const SurfacePoint<R> at = surface_point(set(), segment, from_left[i], from_right[i]);
     const R regular = factor * regular_value(slope_at(segment), at);
-    values[i] *= has_pivots ? R(regular * y_->to_pivot(at)) : regular;
+    values[i] *= has_pivots ? R(regular * abs(y_->to_pivot(at))) : regular;
   }
 }
 

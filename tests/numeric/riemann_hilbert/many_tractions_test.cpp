@@ -97,6 +97,20 @@ TEST_CASE("parabolas, curved punches, wedges and two zones at many places") {
   }
 }
 
+TEST_CASE("many zones at many places, sliding both ways") {
+  std::vector<Indenter::Piece> bumps;
+  for (int i = -3; i <= 4; ++i) {
+    const Rational middle = i - 0.5_r;
+    bumps.push_back({i, Polynomial({middle * middle, -2 * middle, 1})});
+  }
+  for (const Sliding sliding : {Sliding::plus_x, Sliding::minus_x}) {
+    const ContactProblem problem = reduced({0.5_r}, {}, Indenter(-4, bumps), 2, std::nullopt, sliding);
+    const auto solution = riemann_hilbert<double>(problem).solution;
+    REQUIRE(solution->contact().size() == 8);
+    agrees_with_single_places(problem, *solution, 64);
+  }
+}
+
 TEST_CASE("50 digits at many places are those at one") {
   const ContactProblem problem = jumps_of_tenths();
   const auto solution = closed_form<Real50>(problem).solution;
