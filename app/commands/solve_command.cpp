@@ -137,7 +137,8 @@ FollowedLoads solved_steps(const SolveOptions& options, const Problem& problem, 
   wanted.variational.progress = follow(progress);
   Solver solver(std::move(wanted));
   for (const Rational& load : loads) {
-    const Problem loaded{problem.contact.with_load(load), problem.file, problem.measured, problem.friction_file, problem.units};
+    const Problem loaded{problem.contact.with_load(load), problem.file, problem.measured, problem.friction_file,
+                         problem.units};
     LoadStep step{full_number(load, options.common.digits), solver.solve(loaded), {}};
     explain(options, loaded, step.solution);
     if (options.certify && !steps.empty()) {

@@ -80,7 +80,8 @@ std::string unit_name(const ProblemReader& reader, const std::string& field) {
   constexpr std::size_t longest = 16;
   // one_line() changes control characters, bytes that are not UTF-8, and long words.
   if (name.empty() || name.size() > longest || one_line(name) != name)
-    throw reader.error(field, "not a unit", fmt::format("a unit has 1 to {} bytes, on one line", longest), excerpt(name));
+    throw reader.error(field, "not a unit", fmt::format("a unit has 1 to {} bytes, on one line", longest),
+                       excerpt(name));
   return name;
 }
 

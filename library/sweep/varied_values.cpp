@@ -22,8 +22,8 @@ constexpr std::size_t max_values = 1000000;
 enum class Holds { number, polynomial, words };
 
 Holds held(const std::string& path) {
-  constexpr std::array words{"sliding",     "plane",   "samples", "file",       "x_unit",
-                             "height_unit", "detrend", "kind",    "interpolate", "length", "force"};
+  constexpr std::array words{"sliding", "plane", "samples",     "file",   "x_unit", "height_unit",
+                             "detrend", "kind",  "interpolate", "length", "force"};
   const std::string key = path.substr(path.find_last_of('.') + 1);
   if (key == "profile") return Holds::polynomial;
   return std::ranges::find(words, key) == words.end() ? Holds::number : Holds::words;

@@ -1,6 +1,6 @@
-#include "app/embedded.hpp"
 #include "app/verify/verify_writers.hpp"
 #include "app/command_line.hpp"
+#include "app/embedded.hpp"
 #include "proofs_checks/kit/proofs.hpp"
 #include "proofs_checks/statements/paper_statements.hpp"
 
