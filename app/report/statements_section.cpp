@@ -57,25 +57,27 @@ std::string paper_html(const VerifyResult& result) {
     if (said.empty() && instances.empty()) continue;
     std::string entries = said;
     if (!instances.empty()) entries += (said.empty() ? "" : "; ") + ("instances: " + instances);
-    std::string mark = "not examined as a whole";
+    std::string mark = "not examined as a whole", scope = prose(statement.scope);
     if (verdict) {
       // "proved" is a badge, ", restricted" stands behind it.
       mark = badge(*verdict) + std::string(standing(statement, *verdict).substr(name_of(*verdict).size()));
       if (*verdict == checks::Verdict::proved && !statement.restriction.empty())
-        mark += ": " + prose(statement.restriction);
+        scope += "; restricted: " + prose(statement.restriction);
     }
     if (statement.place.empty()) {
       beyond.push_back({prose(statement.what), mark, entries});
     } else {
-      rows.push_back({escaped(statement.place), prose(statement.what), mark, prose(statement.scope), entries});
+      rows.push_back({escaped(statement.place), prose(statement.what), mark, scope, entries});
     }
   }
   std::string html;
   if (!rows.empty()) {
     html +=
-        block("p",
-              "What the paper says, in its order. A statement is as good as the weakest entry that says it or a part "
-              "of it; the scope says for what. An entry shows its verdict where it has another one.") +
+        block(
+            "p",
+            "What the paper says, in its order. A statement is as good as the weakest entry that says it or a part "
+            "of it; the scope says for what, and how a statement is restricted. An entry shows its verdict where it has "
+            "another one.") +
         table_element("The paper, statement by statement", {"place", "statement", "verdict", "scope", "entries"}, rows,
                       "The statements of the paper.");
   }
