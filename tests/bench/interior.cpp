@@ -71,7 +71,8 @@ void floor_of_forces(benchmark::State& state) {
   for (auto _ : state) {
     for (std::size_t i = 0; i < points; ++i) {
       std::array<double, 4> sums{};
-      for (std::size_t k = 0; k < x.size(); ++k) StressKernel<double>::add_force(sums, force[k], grid.x[i] - x[k], grid.z[i]);
+      for (std::size_t k = 0; k < x.size(); ++k)
+        StressKernel<double>::add_force(sums, force[k], grid.x[i] - x[k], grid.z[i]);
       benchmark::DoNotOptimize(sums);
     }
   }

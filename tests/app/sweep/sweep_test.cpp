@@ -143,9 +143,9 @@ TEST_CASE("sweep: the largest stress is that of --max-stress, and is computed fo
       "\"largest_stress.z_error\", \"largest_stress.average.von_mises\"]\n");
   const Json largest =
       Json::parse(output(sweep_base, words("--format json --max-stress --depth 0.2 --over 0.1")))["largest_stress"];
-  CHECK(table_of(out_of(folder.sweep()))[1] == std::vector<std::string>{"1", text_of(largest["von_mises"]["value"]),
-                                                                        text_of(largest["z"]["error"]),
-                                                                        text_of(largest["average"]["von_mises"]["value"]), ""});
+  CHECK(table_of(out_of(folder.sweep()))[1] ==
+        std::vector<std::string>{"1", text_of(largest["von_mises"]["value"]), text_of(largest["z"]["error"]),
+                                 text_of(largest["average"]["von_mises"]["value"]), ""});
 }
 
 TEST_CASE("sweep: a failure is a row with its reason, and exit code 1") {
