@@ -3,9 +3,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <climits>
 #include <csignal>
 #include <iterator>
+#include <thread>
 
 #include "app/terminal/failure.hpp"
 
@@ -16,6 +18,7 @@ namespace {
 constexpr std::size_t most_files = 4;
 char unfinished_files[most_files][PATH_MAX] = {};
 volatile std::sig_atomic_t line_to_erase = 0;
+std::atomic_flag terminal;
 
 sigset_t both_signals() {
   sigset_t set;
@@ -28,6 +31,9 @@ sigset_t both_signals() {
 extern "C" void end_interrupted(int) {
   for (const auto& file : unfinished_files) {
     if (file[0] != '\0') ::unlink(file);
+  }
+  // Another thread may be writing the line. What it writes next waits for the end.
+  while (terminal.test_and_set()) {
   }
   if (line_to_erase != 0 && ::write(STDERR_FILENO, "\r\x1b[K", 4) < 0) {
     // The error cannot be reported: the program ends here.
@@ -52,6 +58,12 @@ SignalsHeld::SignalsHeld() {
 }
 
 SignalsHeld::~SignalsHeld() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+
+TerminalHeld::TerminalHeld() {
+  while (terminal.test_and_set()) std::this_thread::yield();
+}
+
+TerminalHeld::~TerminalHeld() { terminal.clear(); }
 
 void remove_when_interrupted(const std::string& file) {
   const auto slot = std::ranges::find_if(unfinished_files, [](const auto& name) { return name[0] == '\0'; });

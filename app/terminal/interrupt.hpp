@@ -23,6 +23,18 @@ class SignalsHeld {
   sigset_t before_;
 };
 
+/// Holds the terminal during its lifetime: a signal, which may end the program from another thread, waits. Not nested.
+class TerminalHeld {
+ public:
+  TerminalHeld();
+  ~TerminalHeld();
+  TerminalHeld(const TerminalHeld&) = delete;
+  TerminalHeld& operator=(const TerminalHeld&) = delete;
+
+ private:
+  SignalsHeld signals_;  // of this thread, so that its handler does not wait for itself
+};
+
 /// Register a file that a signal removes, at most four at a time, and cancel the registration. Call with signals held.
 void remove_when_interrupted(const std::string& file);
 void keep_when_interrupted(const std::string& file);

@@ -55,6 +55,7 @@ void Progress::show(std::size_t part, std::size_t whole) {
     const double left = seconds / ratio * (1 - ratio);
     line += " ETA " + clock_text(static_cast<long>(left + 0.5));
   }
+  const TerminalHeld held;
   std::fputs(line.c_str(), stderr);
 }
 

@@ -86,7 +86,7 @@ TEST_CASE("on cells: how far averages are from those of the exact traction, at e
     for (const double length : {0.02, 0.3}) {
       const AverageStress<double> exact(solved.solution.piecewise_traction(), length);
       const auto largest_exact = largest_stress<double>(exact, 0);
-      for (const std::size_t cells : {1000, 4096, 65536}) {
+      for (const std::size_t cells : {1000, 8192}) {
         CAPTURE(cells);
         const auto found = variational_inequality(problem, {.cells = cells}).solution;
         const AverageStress<double> on_cells(found->piecewise_traction(), length);
@@ -100,10 +100,13 @@ TEST_CASE("on cells: how far averages are from those of the exact traction, at e
           CHECK(off <= here.error);
           too_large.push_back(here.error / off);
         }
+        // The largest average is at a window that ends at a singular point.
+        const Estimate<double> here = average_at(on_cells, largest_exact->x.value, 0.0).xx;
+        CHECK(std::abs(here.value - average_at(exact, largest_exact->x.value, 0.0).xx.value) <= here.error);
         const auto largest = largest_stress<double>(on_cells, 0);
         CHECK(std::abs(largest->von_mises.value - largest_exact->von_mises.value) <=
               largest->von_mises.error + largest_exact->von_mises.error);
-        CHECK(largest->von_mises.error <= (cells == 65536 ? 0.3 : 2) * largest->von_mises.value);
+        CHECK(largest->von_mises.error <= (cells == 8192 ? 0.6 : 2) * largest->von_mises.value);
       }
     }
   }
@@ -130,7 +133,7 @@ TEST_CASE("no window has a larger average than the largest one; it is finite whe
       CHECK(largest->von_mises.error < 1e-8 * largest->von_mises.value);
       double highest = 0;
       const auto points = solved.solution.singular_points();
-      for (int i = 0; i < 3000; ++i) {
+      for (int i = 0; i < 1000; ++i) {
         const auto& point = points[static_cast<std::size_t>(i) % points.size()];
         const double scale = std::max(length, solved.length) * std::pow(10, -6 * unit(random));
         const double x = point.x.value + (i % 3 - 1) * length / 2 + scale * (2 * unit(random) - 1);
