@@ -65,7 +65,10 @@ template <Real R, class Kernel>
 void BodySums<R, Kernel>::gather(std::size_t first, std::size_t end) {
   const auto& panels = traction_.panels();
   const std::size_t index = cells_.size();
-  const R half = (panels[end - 1].right - panels[first].left) / 2;
+  // Beside a short gap, panels can be shorter than the digits of their places show.
+  R length = 0;
+  for (std::size_t k = first; k < end; ++k) length += panels[k].length;
+  const R half = std::max(R(panels[end - 1].right - panels[first].left), length) / 2;
   cells_.push_back({first, end, panels[first].left.moved(half), half, 0, moments_.size(), R(0), R(0)});
   if (end - first < fewest_panels_with_moments) return;
   const std::size_t count = moment_count<R>();

@@ -7,6 +7,7 @@
 #include "numeric/closed_form/closed_form.hpp"
 #include "numeric/interior/interior_stress.hpp"
 #include "numeric/interior/interior_stress_problems.hpp"
+#include "numeric/variational/variational_inequality.hpp"
 
 using namespace steadyslide::numeric::stress_test;
 
@@ -90,6 +91,23 @@ TEST_CASE("quadrature of the tractions: jumps, wedges, edges, at every depth") {
         CHECK(difference(found, by_quadrature(solved.solution, x, z, factor)) > 1e-4 * size(found));
       }
     }
+  }
+}
+
+TEST_CASE("under a gap that is shorter than the digits of its place show") {
+  const Polynomial left({0, 0.01_r, 1}), right({0.002_r, -0.01_r, 1});
+  const ContactProblem problem(body(), FrictionProfile({0.5_r}), Indenter(-2, {{0.1_r, left}, {2, right}}), 1);
+  const Solved<double> solved(problem);
+  REQUIRE(solved.solution.contact().size() == 2);
+  const auto contact = solved.solution.contact();
+  REQUIRE(contact[1].left.x.value - contact[0].right.x.value < 1e-40);
+  const auto cells = variational_inequality(problem, {.cells = 4096}).solution;
+  const InteriorStress<double> below(*cells);
+  for (const double fraction : {-0.2, 0.3, 0.6, 1.2}) {
+    const Rational x = solved.place(fraction), z = 0.2_r;
+    const Estimate<double> found = *solved.interior.at(x, z).von_mises(), other = *below.at(x, z).von_mises();
+    CHECK(found.error < 1e-8);
+    CHECK(std::abs(found.value - other.value) <= other.error);
   }
 }
 
