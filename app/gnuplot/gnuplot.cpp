@@ -33,8 +33,10 @@ std::string after_last_colon(const std::string& text) {
 
 std::string run_gnuplot(const std::string& script) try {
   const MemoryFile out, err;
+  // If this process has been interrupted meanwhile, its files are gone. The shell must not say so on the terminal.
   const std::string command = fmt::format(
-      "exec /usr/bin/env -u GNUTERM LC_ALL=C.UTF-8 gnuplot --default-settings - > {} 2> {}", out.path(), err.path());
+      "exec 2> /dev/null; exec 2> {}; exec /usr/bin/env -u GNUTERM LC_ALL=C.UTF-8 gnuplot --default-settings - > {}",
+      err.path(), out.path());
   std::FILE* const in = ::popen(command.c_str(), "w");
   if (in == nullptr) fail(std::string("cannot be run: ") + std::strerror(errno));
   // If gnuplot ends early, SIGPIPE must not end this process.

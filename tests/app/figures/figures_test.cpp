@@ -156,5 +156,6 @@ TEST_CASE("interrupted, figures leaves no files and a clean terminal") {
   const Finished finished = interrupt_on_terminal({"figures", "-o", "out"}, folder.path(), "[", SIGINT);
   CHECK(finished.code == 130);
   CHECK(folder.names().empty());
+  CAPTURE(finished.err);
   CHECK(finished.err.ends_with("\r\x1b[K"));
 }
