@@ -56,7 +56,7 @@ void refuse_conflicts(const Given& given, const SolveOptions& options) {
                "stresses and forces are those of one load"),
       conflict("--plot", options.plot.has_value(), {"--load-steps"}, "a picture shows one solution"),
       {options.over && options.certify, "--over: conflicting option", "averages have estimates, no proof", "--certify"},
-      {options.over && options.field.largest_stress && options.common.digits > 16, "--over: too many digits",
+      {options.over && given.has("--max-stress") && options.common.digits > 16, "--over: too many digits",
        numeric::digits_of_averages, fmt::format("--digits {}", options.common.digits)},
       {given.has("--jobs") && !options.certify, "--jobs: nothing to share", "it goes with --certify",
        given.text("--jobs")},
