@@ -8,13 +8,14 @@
 namespace steadyslide {
 
 ContactProblem::ContactProblem(Elasticity elasticity, FrictionProfile friction, Indenter indenter, Rational load,
-                               Sliding sliding, std::optional<Rational> load_at)
+                               Sliding sliding, std::optional<Rational> load_at, Body body)
     : elasticity_(std::move(elasticity)),
       friction_(std::move(friction)),
       indenter_(std::move(indenter)),
       load_(std::move(load)),
       sliding_(sliding),
-      load_at_(std::move(load_at)) {
+      load_at_(std::move(load_at)),
+      body_(std::move(body)) {
   if (load_ <= 0) throw InvalidData("load", "load out of range", "the load is positive", to_string(load_));
   const auto inside = [this](const Rational& x) { return indenter_.left() < x && x < indenter_.right(); };
   const std::string support = to_string(indenter_.left()) + ", " + to_string(indenter_.right());
@@ -35,6 +36,27 @@ ContactProblem::ContactProblem(Elasticity elasticity, FrictionProfile friction, 
                         "the profile of an elastic indenter is smooth", "at x = " + to_string(b.x));
     }
   }
+  check_body();
+}
+
+void ContactProblem::check_body() const {
+  if (!body_.layers().empty()) {
+    if (elasticity_.indenter())
+      throw InvalidData("indenter.elastic", "elastic indenter", "on layers the indenter is rigid", "present");
+    if (elasticity_.half_space() != body_.layers().front().solid)
+      throw InvalidData("the elasticity of a layered body is that of its first layer");
+  }
+  if (!body_.period()) {
+    if (indenter_.harmonics().empty()) return;
+    throw InvalidData("indenter.harmonics", "harmonics without a period", "half_space.period gives their length",
+                      "absent");
+  }
+  if (indenter_.right() - indenter_.left() > *body_.period()) {
+    throw InvalidData("half_space.period", "period out of range", "it is not shorter than the support",
+                      to_string(*body_.period()));
+  }
+  if (load_at_)
+    throw InvalidData("load_at", "free attitude", "with a period the attitude is fixed", to_string(*load_at_));
 }
 
 Rational ContactProblem::coupled_friction(std::size_t piece) const {
@@ -69,19 +91,23 @@ std::vector<ContactProblem::Piece> ContactProblem::pieces() const {
 }
 
 ContactProblem ContactProblem::with_load(Rational load) const {
-  return {elasticity_, friction_, indenter_, std::move(load), sliding_, load_at_};
+  return {elasticity_, friction_, indenter_, std::move(load), sliding_, load_at_, body_};
 }
 
 ContactProblem ContactProblem::with_friction(FrictionProfile friction) const {
-  return {elasticity_, std::move(friction), indenter_, load_, sliding_, load_at_};
+  return {elasticity_, std::move(friction), indenter_, load_, sliding_, load_at_, body_};
 }
 
 ContactProblem ContactProblem::with_indenter(Indenter indenter) const {
-  return {elasticity_, friction_, std::move(indenter), load_, sliding_, load_at_};
+  return {elasticity_, friction_, std::move(indenter), load_, sliding_, load_at_, body_};
 }
 
 ContactProblem ContactProblem::with_sliding(Sliding sliding) const {
-  return {elasticity_, friction_, indenter_, load_, sliding, load_at_};
+  return {elasticity_, friction_, indenter_, load_, sliding, load_at_, body_};
+}
+
+ContactProblem ContactProblem::with_body(Body body) const {
+  return {elasticity_, friction_, indenter_, load_, sliding_, load_at_, std::move(body)};
 }
 
 ContactProblem ContactProblem::with_jump(const Rational& c, const Rational& height) const {
@@ -97,7 +123,8 @@ ContactProblem ContactProblem::moved(const Rational& scale, const Rational& shif
           indenter_.moved(scale, shift),
           load_,
           to_plus_x ? Sliding::plus_x : Sliding::minus_x,
-          std::move(load_at)};
+          std::move(load_at),
+          body_.scaled(abs(scale))};
 }
 
 }  // namespace steadyslide

@@ -6,6 +6,7 @@
 
 #include <optional>
 
+#include "model/body.hpp"
 #include "model/direction.hpp"
 #include "model/elasticity.hpp"
 #include "model/friction_profile.hpp"
@@ -16,9 +17,11 @@ namespace steadyslide {
 class ContactProblem {
  public:
   /// Throws InvalidData unless load > 0, every jump and load_at lie strictly inside the support, and the profile is
-  /// smooth if the indenter is elastic (at its own edges and steps the half-plane idealisation fails).
+  /// smooth if the indenter is elastic (at its own edges and steps the half-plane idealisation fails). `elasticity` is
+  /// that of the surface; with layers it is the solid of the first one, and the indenter is rigid. With a period the
+  /// support is not longer than it, and the attitude is fixed.
   ContactProblem(Elasticity elasticity, FrictionProfile friction, Indenter indenter, Rational load,
-                 Sliding sliding = Sliding::plus_x, std::optional<Rational> load_at = std::nullopt);
+                 Sliding sliding = Sliding::plus_x, std::optional<Rational> load_at = std::nullopt, Body body = {});
 
   const Elasticity& elasticity() const { return elasticity_; }
   const FrictionProfile& friction() const { return friction_; }
@@ -28,6 +31,7 @@ class ContactProblem {
   Sliding sliding() const { return sliding_; }
   /// The place where the load acts if the indenter may tilt; absent if the indenter cannot rotate.
   const std::optional<Rational>& load_at() const { return load_at_; }
+  const Body& body() const { return body_; }
 
   /// s = +-gamma f on friction piece k, signed by the direction of sliding.
   Rational coupled_friction(std::size_t piece) const;
@@ -52,22 +56,26 @@ class ContactProblem {
   ContactProblem with_friction(FrictionProfile friction) const;
   ContactProblem with_indenter(Indenter indenter) const;
   ContactProblem with_sliding(Sliding sliding) const;
+  ContactProblem with_body(Body body) const;
   /// Returns the problem with one more jump at c: f is larger by `height` between c and the next jump.
   ContactProblem with_jump(const Rational& c, const Rational& height) const;
-  /// Returns the problem with the same heights and the same load in the coordinate y = scale x + shift, scale != 0. A
-  /// negative scale mirrors the problem and reverses the direction of sliding.
+  /// Returns the problem with the same heights and the same load in the coordinate y = scale x + shift, scale != 0. The
+  /// body's lengths are scaled, too. A negative scale mirrors the problem and reverses the direction of sliding.
   ContactProblem moved(const Rational& scale, const Rational& shift) const;
   /// Returns the mirror image, x -> -x: the same bodies seen from the other side of the plane of the drawing.
   ContactProblem mirrored() const { return moved(-1, 0); }
   friend bool operator==(const ContactProblem&, const ContactProblem&) = default;
 
  private:
+  void check_body() const;
+
   Elasticity elasticity_;
   FrictionProfile friction_;
   Indenter indenter_;
   Rational load_;
   Sliding sliding_;
   std::optional<Rational> load_at_;
+  Body body_;
 };
 
 }  // namespace steadyslide

@@ -47,6 +47,18 @@ Indenter::Break Indenter::Break::reduced(const Rational& origin, const Rational&
   return {(x - origin) / unit, step / (compliance * unit), wedge / compliance};
 }
 
+Indenter Indenter::with_harmonics(std::vector<Harmonic> terms, const Rational& origin) const {
+  for (std::size_t k = 0; k < terms.size(); ++k) {
+    if (terms[k].n > 0) continue;
+    throw InvalidData("indenter.harmonics[" + std::to_string(k) + "].n", "number out of range",
+                      "a harmonic has a positive number", std::to_string(terms[k].n));
+  }
+  Indenter result = *this;
+  result.harmonics_ = std::move(terms);
+  result.origin_of_harmonics_ = origin;
+  return result;
+}
+
 bool Indenter::is_smooth() const {
   return std::all_of(breaks_->begin(), breaks_->end(), [](const Break& b) { return b.step == 0 && b.wedge == 0; });
 }
@@ -60,13 +72,23 @@ Indenter Indenter::moved(const Rational& scale, const Rational& shift) const {
     from = piece.to;
   }
   if (scale < 0) std::reverse(pieces.begin(), pieces.end());
-  return Indenter(scale * (scale < 0 ? right() : left_) + shift, std::move(pieces));
+  std::vector<Harmonic> terms = harmonics_;
+  if (scale < 0) {
+    for (Harmonic& term : terms) term.sine = -term.sine;
+  }
+  return Indenter(scale * (scale < 0 ? right() : left_) + shift, std::move(pieces))
+      .with_harmonics(std::move(terms), scale * origin_of_harmonics_ + shift);
 }
 
 Indenter Indenter::scaled(const Rational& factor) const {
   std::vector<Piece> pieces = pieces_;
   for (Piece& piece : pieces) piece.profile = Polynomial::constant(factor) * piece.profile;
-  return Indenter(left_, std::move(pieces));
+  std::vector<Harmonic> terms = harmonics_;
+  for (Harmonic& term : terms) {
+    term.cosine *= factor;
+    term.sine *= factor;
+  }
+  return Indenter(left_, std::move(pieces)).with_harmonics(std::move(terms), origin_of_harmonics_);
 }
 
 }  // namespace steadyslide

@@ -10,6 +10,14 @@
 
 namespace steadyslide {
 
+/// A term  cosine cos(2 pi n (x - origin)/L) + sine sin(2 pi n (x - origin)/L)  of a profile with the period L.
+struct Harmonic {
+  int n;
+  Rational cosine;
+  Rational sine;
+  friend bool operator==(const Harmonic&, const Harmonic&) = default;
+};
+
 class Indenter {
  public:
   /// The profile on ]previous `to`, `to`[; the first piece starts at the support's left end.
@@ -44,6 +52,11 @@ class Indenter {
   Break break_at(const Rational& x) const;
   /// Returns the places where two pieces meet, from left to right.
   const std::vector<Break>& breaks() const { return *breaks_; }
+  /// Returns the indenter with these terms added to psi. Pieces and profile() do not contain them. Throws InvalidData
+  /// unless every n is positive.
+  Indenter with_harmonics(std::vector<Harmonic> terms, const Rational& origin = 0) const;
+  const std::vector<Harmonic>& harmonics() const { return harmonics_; }
+  const Rational& origin_of_harmonics() const { return origin_of_harmonics_; }
   /// True if the profile has neither a wedge nor a step.
   bool is_smooth() const;
 
@@ -52,12 +65,17 @@ class Indenter {
   Indenter moved(const Rational& scale, const Rational& shift) const;
   /// psi times `factor`.
   Indenter scaled(const Rational& factor) const;
-  friend bool operator==(const Indenter& a, const Indenter& b) { return a.left_ == b.left_ && a.pieces_ == b.pieces_; }
+  friend bool operator==(const Indenter& a, const Indenter& b) {
+    return a.left_ == b.left_ && a.pieces_ == b.pieces_ && a.harmonics_ == b.harmonics_ &&
+           a.origin_of_harmonics_ == b.origin_of_harmonics_;
+  }
 
  private:
   Rational left_;
   std::vector<Piece> pieces_;
   std::shared_ptr<const std::vector<Break>> breaks_;  ///< copies of a long trace share them
+  std::vector<Harmonic> harmonics_;
+  Rational origin_of_harmonics_ = 0;
 };
 
 }  // namespace steadyslide

@@ -2,39 +2,13 @@
 
 #include <fmt/format.h>
 
+#include "library/problem_file/body_reader.hpp"
 #include "library/problem_file/input_file.hpp"
 #include "library/problem_file/problem_reader.hpp"
 #include "library/problem_file/sample_file.hpp"
 
 namespace steadyslide::library {
 namespace {
-
-Solid read_solid(const ProblemReader& reader, const std::string& table) {
-  const Rational poisson = reader.number(table + ".poisson", "Poisson's ratio is required");
-  const Rational young = reader.number_if_any(table + ".young").value_or(1);
-  return reader.accepted(table + ".", [&] { return Solid(poisson, young); });
-}
-
-Elasticity read_elasticity(const ProblemReader& reader) {
-  reader.check_table("half_space", {"poisson", "young", "plane", "gamma"});
-  if (const Value* gamma = reader.find("half_space.gamma")) {
-    for (const char* key : {"half_space.poisson", "half_space.young", "half_space.plane", "indenter.elastic"}) {
-      if (reader.find(key) == nullptr) continue;
-      throw reader.error(key, "conflicting key", "with half_space.gamma the data are reduced and this is left out",
-                         "present");
-    }
-    return reader.accepted("half_space.",
-                           [&] { return Elasticity::reduced(reader.number("half_space.gamma", *gamma)); });
-  }
-  reader.required("half_space.poisson", "half_space has poisson or gamma");
-  const auto plane =
-      reader.choice<Plane>("half_space.plane", "unknown plane", {"strain", Plane::strain}, {"stress", Plane::stress});
-  const Solid half_space = read_solid(reader, "half_space");
-  if (reader.find("indenter.elastic") == nullptr) return Elasticity(half_space, plane);
-  reader.check_table("indenter.elastic", {"poisson", "young"});
-  reader.required("indenter.elastic.young", "an elastic indenter has its own Young's modulus");
-  return {half_space, read_solid(reader, "indenter.elastic"), plane};
-}
 
 struct ReadFriction {
   FrictionProfile profile;
@@ -105,15 +79,15 @@ Punch read(const Value& root, const std::string& name, bool whole, const Problem
   const std::optional<Rational> load_at = reader.number_if_any("load_at");
   const auto sliding =
       reader.choice<Sliding>("sliding", "unknown direction", {"+x", Sliding::plus_x}, {"-x", Sliding::minus_x});
-  Elasticity elasticity = read_elasticity(reader);
+  ReadBody body = read_body(reader, name);
   ReadIndenter indenter = same_indenter != nullptr
                               ? ReadIndenter{same_indenter->contact.indenter(), same_indenter->measured}
                               : read_indenter(reader, name);
   Units units = read_units(reader, indenter.measured ? indenter.measured->x_unit : "");
   ReadFriction friction = has_friction ? read_friction(reader, name, indenter) : ReadFriction{FrictionProfile({0})};
   try {
-    ContactProblem contact(std::move(elasticity), std::move(friction.profile), std::move(indenter.shape), load, sliding,
-                           load_at);
+    ContactProblem contact(std::move(body.elasticity), std::move(friction.profile), std::move(indenter.shape), load,
+                           sliding, load_at, std::move(body.body));
     return {{std::move(contact), name, std::move(indenter.measured), std::move(friction.file), std::move(units)},
             has_friction};
   } catch (const InvalidData& invalid) {

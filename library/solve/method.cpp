@@ -45,10 +45,10 @@ std::string slow_gaps(const ContactProblem& problem) {
   constexpr std::ptrdiff_t most_gaps = 10;
   constexpr std::size_t many_pieces = 1000, most_zones = 10;
   if (problem.indenter().pieces().size() > many_pieces && problem.indenter().is_smooth()) {
-    const auto rough = numeric::variational_inequality(problem, {.cells = 1024}).solution;
+    const auto rough = numeric::variational_inequality(problem, {.cells = 4096}).solution;
     const std::size_t zones = rough ? rough->contact().size() : 0;
     if (zones <= most_zones) return "";
-    return fmt::format("{} contact zones on 1024 cells, more than {}, of a profile of more than {} pieces", zones,
+    return fmt::format("{} contact zones on 4096 cells, more than {}, of a profile of more than {} pieces", zones,
                        most_zones, many_pieces);
   }
   std::vector<Indenter::Break> concave = problem.indenter().breaks();

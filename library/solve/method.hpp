@@ -29,7 +29,7 @@ struct Choice {
 /// predicted to take more than a second for gaps. That method finds a gap over each concave corner inside the contact,
 /// 0.1 s each; a solution on 1024 cells predicts how many of them double can represent. On a profile of more than 1000
 /// pieces without corners, each change of the contact set costs a time that grows with the number of pieces. There it
-/// takes cells if 1024 of them show more than ten zones.
+/// takes cells if 4096 of them show more than ten zones.
 Choice choice_of(Method method, const ContactProblem& problem, bool certify, int digits = 16);
 inline bool takes_variational(Method method, const ContactProblem& problem, bool certify, int digits = 16) {
   return choice_of(method, problem, certify, digits).on_cells;

@@ -48,3 +48,23 @@ TEST_CASE("a key of an inline table is found on its line") {
                         "f");
         }) == "f:2: half_space.poisson: Poisson's ratio out of range; it lies in ]-1, 1/2[; 0.6");
 }
+
+TEST_CASE("layers from the surface down, a period, a table of symbols") {
+  const auto problem = [](const std::string& half_space) {
+    return parse_problem("load = 1\nfriction.values = [0.1]\nindenter.profile = '0'\n[half_space]\n" + half_space, "f")
+        .contact;
+  };
+  const Solid soft(0.45_r, 2), hard(0, 5);
+  const ContactProblem layered = problem(R"(poisson = 0.3
+young = 210
+plane = "stress"
+layers = [ {thickness = "1/2", young = 2, poisson = 0.45}, {thickness = 2, young = 5, poisson = 0, below = "slip"} ]
+)");
+  CHECK(layered.elasticity() == Elasticity(soft, Plane::stress));
+  CHECK(layered.body() == Body::layered({{0.5_r, soft}, {2, hard, Interface::slip}}, Solid(0.3_r, 210)));
+  const std::string on_rock = "base = 'rigid'\nlayers = [ {thickness = 1, young = 2, poisson = 0.45, below = 'slip'} ]";
+  CHECK(problem(on_rock).body() == Body::layered({{1, soft, Interface::slip}}, std::nullopt));
+  CHECK(problem("gamma = 0.2\nperiod = 3").body() == Body::periodic(3));
+  CHECK(problem("gamma = 0.2\nsymbol = \"k,W,gV\\n1,1/2,0.1\\n2,1,0.2\\n\"").body() ==
+        Body::of_symbols({{1, 0.5_r, 0.1_r}, {2, 1, 0.2_r}}));
+}

@@ -100,7 +100,7 @@ TEST_CASE("auto takes cells for many zones under a spline of many pieces, for 16
   const ContactProblem many = ridges(1202, 0.02_r);
   const Choice choice = choice_of(Method::automatic, many, false);
   CHECK(choice.on_cells);
-  CHECK(choice.reason.ends_with("contact zones on 1024 cells, more than 10, of a profile of more than 1000 pieces"));
+  CHECK(choice.reason.ends_with("contact zones on 4096 cells, more than 10, of a profile of more than 1000 pieces"));
   CHECK_FALSE(choice_of(Method::automatic, many, false, 17).on_cells);
   CHECK_FALSE(choice_of(Method::riemann_hilbert, many, false).on_cells);
   CHECK_FALSE(choice_of(Method::automatic, ridges(1202, 0), false).on_cells);
