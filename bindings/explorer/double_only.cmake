@@ -8,7 +8,7 @@
 #   fourier                       the same transforms by Eigen's FFT; no solution here is large enough to need one
 #   rear_share                    needed by other commands than `solve`; Arb
 #   power_product_avx*            other processors' instructions
-#   friction_table, profile_trace  measured friction and profiles, which are files
+#   friction_table, profile_trace, symbol_table  measured friction and profiles, which are files
 set(double_only_folder "${CMAKE_CURRENT_LIST_DIR}")
 
 # steadyslide_double_only(<library>): makes the library of all layers; the caller sets the options of its sources.
@@ -20,7 +20,7 @@ function(steadyslide_double_only name)
   set(not_numeric "numeric/(number/mpfr_real|number/elementary|number/power_product_avx|quadrature/double_exponential_grid|\
 quadrature/gsl_quadrature|variational/fourier|flat_punch/rear_share)")
   set(only_library "library/(problem_file/|text/one_line|text/utf8)")
-  set(not_library "library/problem_file/(friction_table|profile_trace|smoothing|surface_files|table_reader)")
+  set(not_library "library/problem_file/(friction_table|profile_trace|smoothing|surface_files|symbol_table|table_reader)")
 
   # Only the headers of Debian's packages; never /usr/include itself, which has the C library of another machine.
   set(headers "${CMAKE_CURRENT_BINARY_DIR}/include")

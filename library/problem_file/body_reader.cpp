@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "library/problem_file/sample_file.hpp"
-#include "library/problem_file/table_reader.hpp"
+#include "library/problem_file/symbol_table.hpp"
 
 namespace steadyslide::library {
 namespace {
@@ -76,18 +76,7 @@ ReadBody read_layered(const ProblemReader& reader, const Value& layers) {
 Body read_symbols(const ProblemReader& reader, const std::string& file) {
   const std::string field = file_field(reader, "half_space.symbol", {"file"});
   const SampleFile table = read_samples(reader, field, file, "table of symbols");
-  TableReader lines(table.path, {"a table of symbols", "k,W,gamma V", {"k", "W", "gamma V"}, 3});
-  std::vector<SymbolRow> rows;
-  lines.read(table.text, [&](std::vector<Rational>& row) {
-    if (rows.size() == max_symbol_rows)
-      throw lines.error("too many rows", fmt::format("a table of symbols has at most {}", max_symbol_rows), "more");
-    rows.push_back({row[0], row[1], row[2]});
-    try {
-      check_symbols(rows.back(), rows.size() > 1 ? &rows[rows.size() - 2] : nullptr);
-    } catch (const InvalidData& invalid) {
-      throw lines.error(invalid.what());
-    }
-  });
+  std::vector<SymbolRow> rows = parse_symbols(table.text, table.path);
   return reader.accepted("half_space.", [&] { return Body::of_symbols(std::move(rows)); });
 }
 

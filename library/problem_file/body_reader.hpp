@@ -8,7 +8,7 @@
 
 namespace steadyslide::library {
 
-inline constexpr std::size_t max_layers = 64, max_symbol_rows = 100000;
+inline constexpr std::size_t max_layers = 64;
 
 struct ReadBody {
   Elasticity elasticity;  ///< of the surface, and of an elastic indenter

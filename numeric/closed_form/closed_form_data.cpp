@@ -125,6 +125,7 @@ std::variant<ClosedFormData<R>, std::string> closed_form_data(const ContactProbl
 
 template <Real R>
 Attempt<R> closed_form(const ContactProblem& problem) {
+  if (std::string reason = problem.body().beyond_half_plane(); !reason.empty()) return {nullptr, std::move(reason)};
   std::variant<ClosedFormData<R>, std::string> data = closed_form_data<R>(problem);
   if (auto* reason = std::get_if<std::string>(&data)) return {nullptr, std::move(*reason)};
   return {std::make_shared<const ClosedForm<R>>(problem, std::get<ClosedFormData<R>>(std::move(data))), {}};

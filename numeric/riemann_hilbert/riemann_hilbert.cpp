@@ -182,6 +182,7 @@ bool may_have_many_gaps(const ContactProblem& problem) {
 
 template <Real R>
 Attempt<R> riemann_hilbert(const ContactProblem& problem, const ContactSolution<R>* start) {
+  if (std::string reason = problem.body().beyond_half_plane(); !reason.empty()) return {nullptr, std::move(reason)};
   if (std::string reason = too_many_friction_pieces(problem, digits_of<R>); !reason.empty())
     return {nullptr, std::move(reason)};
   if (std::string reason = too_many_profile_breaks(problem, digits_of<R>); !reason.empty()) return {nullptr, reason};

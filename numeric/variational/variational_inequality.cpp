@@ -74,6 +74,7 @@ std::optional<Part> VariationalSolution::penetrated_part(const variational::Disc
 
 Attempt<double> variational_inequality(const ContactProblem& problem, const VariationalOptions& options) {
   if (options.cells < fewest_cells || options.cells > most_cells) throw std::invalid_argument("number of cells");
+  if (std::string reason = problem.body().beyond_half_plane(); !reason.empty()) return {nullptr, std::move(reason)};
   const Frame frame = variational::support_frame(problem);
   const auto x = [&](double xi) { return Rational(frame.origin + frame.unit * Rational(xi)); };
   VariationalOptions tried = options;

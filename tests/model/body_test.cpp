@@ -36,7 +36,7 @@ TEST_CASE("problems that do not fit their body") {
   const Body layers = Body::layered({{1, soft}}, steel);
   CHECK(refusal([&] { on(layers); }) == "accepted");
   CHECK(refusal([&] { on(layers, Elasticity(steel)); }) ==
-        "the elasticity of a layered body is that of its first layer");
+        ": the elasticity of a layered body is that of its first layer");
   CHECK(refusal([&] { on(layers, Elasticity(soft, steel)); }) ==
         "indenter.elastic: elastic indenter; on layers the indenter is rigid; present");
   CHECK(refusal([&] { on(Body::periodic(2)); }) == "accepted");
