@@ -1,0 +1,50 @@
+#pragma once
+// The integrals over all wave numbers that make kernels of symbols:
+//
+//   k_n(y) = int_0^oo (1 - W) sin(ky) dk,   gamma k_t(y) = int_0^oo (gamma - gamma V) cos(ky) dk.
+//
+// Both defects are Legendre series on panels, which are halved until the last coefficients are rounding errors. The
+// integral of P_m(x) e^{i w x} is 2 i^m j_m(w) with a spherical Bessel function [AS, 10.1.14], so the work for one y
+// does not depend on y.
+
+#include <vector>
+
+#include "numeric/layers/body_symbols.hpp"
+
+namespace steadyslide::numeric {
+
+/// Writes j_0(x), j_1(x), ... for x > 0, as many as `result` has entries; errors are absolute.
+template <Real R>
+void spherical_bessel(const R& x, std::vector<R>& result);
+
+template <Real R>
+class SymbolTransform {
+ public:
+  explicit SymbolTransform(const BodySymbols<R>& symbols);
+
+  struct Slopes {
+    R normal;    ///< k_n
+    R coupling;  ///< gamma k_t
+  };
+  /// Takes y > 0.
+  Slopes at(const R& y) const;
+  /// Returns N(0) of the body_kernel.hpp.
+  const R& normal_at_zero() const { return normal_at_zero_; }
+  /// Returns the largest of |1 - W| and |gamma - gamma V| at the nodes.
+  const R& largest_defect() const { return largest_; }
+
+ private:
+  struct Panel {
+    R centre;
+    R half;
+    std::vector<R> normal;  ///< coefficients of P_m
+    std::vector<R> coupling;
+  };
+  void add(const BodySymbols<R>& symbols, const R& left, const R& right, int halvings);
+
+  std::vector<Panel> panels_;
+  R normal_at_zero_ = 0;
+  R largest_ = 0;
+};
+
+}  // namespace steadyslide::numeric
