@@ -7,8 +7,9 @@
 // Each layer maps the compliance of what lies below to the compliance of its own surface. Thin layers (k h <= 1) use
 // the transfer matrix of displacements and tractions, and the entries that are small for small k h come from series.
 // Thick layers use the part of the traction that returns from below, which contains exp(-2 k h) and no growing
-// exponential. The compliance stays positive definite, and such maps do not enlarge its relative errors. The relative
-// error of W is a few epsilon times the number of layers: no digit is lost for small or large k h.
+// exponential. The compliance stays positive definite, and such maps do not enlarge its relative errors: W loses no
+// digit for small or large k h, and at most two digits if moduli of layers differ by factors up to 10^8 (measured on
+// random stacks).
 
 #include <optional>
 #include <vector>

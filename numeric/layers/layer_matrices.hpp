@@ -38,11 +38,19 @@ struct HeldSide {
   Matrix2<R> tractions;
 };
 
-/// Returns the side that a body of this compliance holds, in units of the layer's c/k: bonded, or free to slip.
+/// Returns the side that a body of this compliance holds, in units of the layer's c/k: bonded, or free to slip. On a
+/// soft body the larger displacement is given instead of the traction that goes with it. Otherwise a stiff layer would
+/// lose digits.
 template <Real R>
-HeldSide<R> held_by(const Matrix2<R>& compliance, bool bonded) {
-  if (bonded) return {compliance, {R(1), R(0), R(0), R(1)}};
-  return {{compliance.a, R(0), R(0), R(1)}, {R(1), R(0), R(0), R(0)}};
+HeldSide<R> held_by(const Matrix2<R>& m, bool bonded) {
+  if (!bonded) return {{m.a, R(0), R(0), R(1)}, {R(1), R(0), R(0), R(0)}};
+  if (m.a <= 1 && m.d <= 1) return {m, {R(1), R(0), R(0), R(1)}};
+  if (m.a <= m.d) {
+    const R share = m.c / m.d;
+    return {{m.a - m.b * share, share, R(0), R(1)}, {R(1), R(0), -share, 1 / m.d}};
+  }
+  const R share = m.b / m.a;
+  return {{R(1), R(0), share, m.d - m.c * share}, {1 / m.a, -share, R(0), R(1)}};
 }
 
 /// Returns M.
