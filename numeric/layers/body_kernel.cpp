@@ -37,14 +37,6 @@ struct ChebyshevPoints {
 template <Real R>
 using Panels = std::vector<typename KernelFunction<R>::Panel>;
 
-/// Removes coefficients below the tolerance; false if there are none among the last four.
-template <Real R>
-bool shortened(std::vector<R>& series, const R& tolerance) {
-  const std::size_t all = series.size();
-  while (series.size() > 1 && abs(series.back()) <= tolerance) series.pop_back();
-  return series.size() + 4 <= all;
-}
-
 }  // namespace
 
 template <Real R>
@@ -79,7 +71,7 @@ struct BodyKernel<R>::Slopes {
       t = points.series(t);
       // The second term is the size of the parts that cancel.
       const R tolerance = 8 * epsilon<R>() * (largest + transform.largest_defect() / right);
-      if (shortened(n, tolerance) & shortened(t, tolerance)) {
+      if (drop_tail(n, tolerance) >= 4 && drop_tail(t, tolerance) >= 4) {
         normal.push_back({left, right, std::move(n)});
         coupling.push_back({left, right, std::move(t)});
         left = right;

@@ -6,11 +6,11 @@ namespace steadyslide::numeric {
 namespace {
 
 template <Real R>
-constexpr std::size_t nodes = std::same_as<R, double>   ? 24
-                              : std::same_as<R, Real50> ? 56
-                                                        : 104;
+constexpr std::size_t legendre_nodes = std::same_as<R, double>   ? 24
+                                       : std::same_as<R, Real50> ? 56
+                                                                 : 104;
 
-constexpr int most_halvings = 50;
+constexpr int most_panel_halvings = 50;
 
 /// Gauss' rule on [-1, 1], and the numbers that make Legendre coefficients of values at its nodes.
 template <Real R>
@@ -20,15 +20,15 @@ struct LegendreRule {
   std::vector<std::vector<R>> rows;  ///< row m: weight (2m + 1)/2 P_m(place)
 
   LegendreRule() {
-    const UnitRule<R> unit = jacobi_rule<R>({}, {}, static_cast<int>(nodes<R>));
-    rows.assign(nodes<R>, std::vector<R>(nodes<R>));
-    for (std::size_t k = 0; k < nodes<R>; ++k) {
+    const UnitRule<R> unit = jacobi_rule<R>({}, {}, static_cast<int>(legendre_nodes<R>));
+    rows.assign(legendre_nodes<R>, std::vector<R>(legendre_nodes<R>));
+    for (std::size_t k = 0; k < legendre_nodes<R>; ++k) {
       const R x = unit.from_left[k] - unit.from_right[k];
       places.push_back(x);
       weights.push_back(2 * unit.weights[k]);
       R before = 0;
       R value = 1;  // P_m
-      for (std::size_t m = 0; m < nodes<R>; ++m) {
+      for (std::size_t m = 0; m < legendre_nodes<R>; ++m) {
         const auto degree = static_cast<int>(m);
         rows[m][k] = weights[k] * (2 * degree + 1) / 2 * value;
         const R next = ((2 * degree + 1) * x * value - degree * before) / (degree + 1);
@@ -56,14 +56,6 @@ template <Real R>
 const LegendreRule<R>& legendre_rule() {
   static const LegendreRule<R> rule;
   return rule;
-}
-
-/// Removes the last coefficients that are below the tolerance; false if there are none of these.
-template <Real R>
-bool shortened(std::vector<R>& coefficients, const R& tolerance) {
-  const std::size_t all = coefficients.size();
-  while (!coefficients.empty() && abs(coefficients.back()) <= tolerance) coefficients.pop_back();
-  return coefficients.size() + 2 <= all;
 }
 
 /// Returns sin and cos of x y, to the last digit of their absolute value also for large products in double.
@@ -154,8 +146,8 @@ void SymbolTransform<R>::add(const BodySymbols<R>& symbols, const R& left, const
   panel.normal = rule.coefficients(normal);
   panel.coupling = rule.coefficients(coupling);
   const R tolerance = 16 * epsilon<R>() * max(R(1), largest);
-  const bool resolved = shortened(panel.normal, tolerance) & shortened(panel.coupling, tolerance);
-  if (!resolved && halvings < most_halvings) {
+  const bool resolved = drop_tail(panel.normal, tolerance) >= 2 && drop_tail(panel.coupling, tolerance) >= 2;
+  if (!resolved && halvings < most_panel_halvings) {
     add(symbols, left, panel.centre, halvings + 1);
     add(symbols, panel.centre, right, halvings + 1);
     return;
@@ -169,7 +161,7 @@ void SymbolTransform<R>::add(const BodySymbols<R>& symbols, const R& left, const
 template <Real R>
 typename SymbolTransform<R>::Slopes SymbolTransform<R>::at(const R& y) const {
   Slopes result{R(0), R(0)};
-  std::vector<R> bessel(nodes<R>);
+  std::vector<R> bessel(legendre_nodes<R>);
   R known = -1;  // the half length of a panel to which `bessel` belongs
   for (const Panel& panel : panels_) {
     if (panel.half != known) spherical_bessel(R(panel.half * y), bessel);

@@ -13,6 +13,14 @@
 
 namespace steadyslide::numeric {
 
+/// Removes the last coefficients of a series that are not above the tolerance, but not the first one. Returns how many.
+template <Real R>
+std::size_t drop_tail(std::vector<R>& series, const R& tolerance) {
+  std::size_t dropped = 0;
+  for (; series.size() > 1 && abs(series.back()) <= tolerance; ++dropped) series.pop_back();
+  return dropped;
+}
+
 /// Writes j_0(x), j_1(x), ... for x > 0, as many as `result` has entries; errors are absolute.
 template <Real R>
 void spherical_bessel(const R& x, std::vector<R>& result);
@@ -28,7 +36,7 @@ class SymbolTransform {
   };
   /// Takes y > 0.
   Slopes at(const R& y) const;
-  /// Returns N(0) of the body_kernel.hpp.
+  /// Returns N(0) of body_kernel.hpp.
   const R& normal_at_zero() const { return normal_at_zero_; }
   /// Returns the largest of |1 - W| and |gamma - gamma V| at the nodes.
   const R& largest_defect() const { return largest_; }

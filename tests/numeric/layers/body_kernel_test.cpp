@@ -12,8 +12,8 @@
 
 namespace {
 
-const Solid steel(0.3_r, 2000_r);
-const Solid rubber(0.45_r, 2_r);
+const Solid hard(0.3_r, 2000_r);
+const Solid soft(0.45_r, 2_r);
 
 template <Real R>
 struct Kernel {
@@ -77,8 +77,8 @@ TEST_CASE_TEMPLATE("spherical Bessel functions: the sum of squares, and the stan
 }
 
 TEST_CASE_TEMPLATE("a bonded layer on a rigid base: slopes and values by the closed formula", R, double, Real50) {
-  const auto [symbols, kernel] = Kernel<R>(on_rigid(steel, 0.5_r), R(5));
-  const R kappa = to_real<R>(steel.kolosov(Plane::strain));
+  const auto [symbols, kernel] = Kernel<R>(on_rigid(hard, 0.5_r), R(5));
+  const R kappa = to_real<R>(hard.kolosov(Plane::strain));
   const R tolerance = std::same_as<R, double> ? R(1e-14) : R(1e-50);
   const R end = symbols.last_wave_number();
   const auto defect = [&](const R& k) { return closed_defect<R>(kappa, R(k / 2)); };
@@ -110,13 +110,13 @@ TEST_CASE_TEMPLATE("a bonded layer on a rigid base: slopes and values by the clo
 
 TEST_CASE("far from the load: nothing is left on a rigid base, and the base on an elastic one") {
   for (const auto& [h, tolerance] : {std::pair(0.1_r, 2e-5), {0.02_r, 3e-15}, {0.001_r, 1e-14}, {0.0001_r, 2e-14}}) {
-    const auto [symbols, kernel] = Kernel<double>(on_rigid(steel, h), 1.0);
+    const auto [symbols, kernel] = Kernel<double>(on_rigid(hard, h), 1.0);
     REQUIRE(kernel.is_absolute());
     CHECK(std::abs(kernel.normal().at(1)) < tolerance);
     CHECK(std::abs(kernel.normal().at(0.7) - std::log(0.7)) < 20 * tolerance);
     CHECK(std::abs(kernel.coupling().at(1) - symbols.gamma() * std::numbers::pi / 2) < 2 * tolerance);
   }
-  const auto [symbols, kernel] = Kernel<double>(Body::layered({{0.001_r, rubber}}, steel), 100.0);
+  const auto [symbols, kernel] = Kernel<double>(Body::layered({{0.001_r, soft}}, hard), 100.0);
   const double at_zero = symbols.normal(1e-12);
   const double coupling_at_zero = symbols.coupling(1e-12);
   CHECK(at_zero < 0.01);
@@ -126,18 +126,18 @@ TEST_CASE("far from the load: nothing is left on a rigid base, and the base on a
   CHECK(kernel.coupling().at(100) ==
         doctest::Approx((symbols.gamma() - coupling_at_zero) * std::numbers::pi / 2).epsilon(1e-3));
   // A layer of the base's own solid, and the half-plane.
-  const auto same = Kernel<double>(Body::layered({{0.5_r, steel}}, steel), 3.0);
+  const auto same = Kernel<double>(Body::layered({{0.5_r, hard}}, hard), 3.0);
   CHECK(std::abs(same.kernel.normal().at(2)) < 1e-14);
-  const BodyKernel<double> none(BodySymbols<double>(Elasticity(steel), Body{}), 1.0);
+  const BodyKernel<double> none(BodySymbols<double>(Elasticity(hard), Body{}), 1.0);
   CHECK(none.normal().at(0.3) == 0);
   CHECK(none.coupling().mean_of_cells(0.3, 0.1) == 0);
 }
 
 TEST_CASE("stacks, slip and contrast: slopes by quadrature of the symbols") {
-  for (const Body& body : {Body::layered({{0.5_r, rubber, Interface::slip}}, steel),
-                           Body::layered({{0.5_r, steel, Interface::slip}}, std::nullopt),
-                           Body::layered({{0.2_r, steel}, {1_r, rubber}}, steel),
-                           Body::layered({{0.5_r, rubber}, {0.01_r, steel, Interface::slip}, {1_r, rubber}}, rubber)}) {
+  for (const Body& body : {Body::layered({{0.5_r, soft, Interface::slip}}, hard),
+                           Body::layered({{0.5_r, hard, Interface::slip}}, std::nullopt),
+                           Body::layered({{0.2_r, hard}, {1_r, soft}}, hard),
+                           Body::layered({{0.5_r, soft}, {0.01_r, hard, Interface::slip}, {1_r, soft}}, soft)}) {
     const auto [symbols, kernel] = Kernel<double>(body, 20.0);
     const double size = std::abs(kernel.normal_slope().at(1)) + std::abs(kernel.coupling_slope().at(0));
     for (const double y : {0.01, 0.7, 3.0, 19.0}) {
@@ -149,7 +149,7 @@ TEST_CASE("stacks, slip and contrast: slopes by quadrature of the symbols") {
 }
 
 TEST_CASE_TEMPLATE("means over cells have the symbol times sin(kh/2)/(kh/2): short and long cells", R, double, Real50) {
-  const auto [symbols, kernel] = Kernel<R>(on_rigid(rubber, 0.1_r), R(3));
+  const auto [symbols, kernel] = Kernel<R>(on_rigid(soft, 0.1_r), R(3));
   const R tolerance = std::same_as<R, double> ? R(3e-13) : R(1e-49);  // k_n is about 10
   for (const double cell : {1e-3, 0.1, 0.9}) {
     for (const double y : {0.0, 0.03, 0.5, -0.3}) {
@@ -175,7 +175,7 @@ TEST_CASE_TEMPLATE("means over cells have the symbol times sin(kh/2)/(kh/2): sho
 
 TEST_CASE("a smooth pressure displaces the surface as its transform says, in sign and size") {
   // p = exp(-x^2), s = gamma f, f = 1/2: -u/c = (1/pi) int_0^oo (W cos(kx) + s V sin(kx)) sqrt(pi) exp(-k^2/4)/k dk.
-  const auto [symbols, kernel] = Kernel<double>(on_rigid(steel, 0.7_r), 20.0);
+  const auto [symbols, kernel] = Kernel<double>(on_rigid(hard, 0.7_r), 20.0);
   const double f = 0.5;
   using Rule = boost::math::quadrature::gauss_kronrod<double, 61>;
   for (const double x : {-1.3, 0.0, 0.4, 2.0}) {
@@ -199,7 +199,7 @@ TEST_CASE("a smooth pressure displaces the surface as its transform says, in sig
 }
 
 TEST_CASE("scaled bodies, given symbols, refusals, time") {
-  const Body body = Body::layered({{0.2_r, steel}, {1_r, rubber}}, std::nullopt);
+  const Body body = Body::layered({{0.2_r, hard}, {1_r, soft}}, std::nullopt);
   const auto one = Kernel<double>(body, 1.0);
   const auto large = Kernel<double>(body.scaled(8), 8.0);
   for (const double y : {0.0, 0.1, 0.9}) {
@@ -211,7 +211,7 @@ TEST_CASE("scaled bodies, given symbols, refusals, time") {
     const double k = n / 8.0;
     rows.push_back({Rational(k), Rational(one.symbols.normal(k)), Rational(one.symbols.coupling(k))});
   }
-  const BodySymbols<double> given(Elasticity(steel), Body::of_symbols(rows));
+  const BodySymbols<double> given(Elasticity(hard), Body::of_symbols(rows));
   const BodyKernel<double> table(given, 1.0);
   for (const double y : {0.02, 0.3, 1.0}) {
     CHECK(table.normal().at(y) == doctest::Approx(one.kernel.normal().at(y)).epsilon(1e-2));
@@ -224,6 +224,6 @@ TEST_CASE("scaled bodies, given symbols, refusals, time") {
   }
   CHECK(holds(thrown_by([&] { BodyKernel<double>(one.symbols, 0.0); }), "reach"));
   const auto start = std::chrono::steady_clock::now();
-  Kernel<Real50>(on_rigid(steel, 0.1_r), Real50(1));
+  Kernel<Real50>(on_rigid(hard, 0.1_r), Real50(1));
   CHECK(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < 10);
 }
