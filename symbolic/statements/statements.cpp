@@ -1,4 +1,6 @@
 #include "symbolic/statements/statements.hpp"
+
+#include "symbolic/cln/layer_formulas.hpp"
 #include "symbolic/field/rational_function.hpp"
 #include "symbolic/local/coupling.hpp"
 #include "symbolic/statements/written_statements.hpp"
@@ -35,7 +37,16 @@ std::vector<DecidedStatement> elasticity_statements() {
   return written_statements(embedded::elasticity_txt, {}, functions);
 }
 
-std::vector<DecidedStatement> equation_statements() { return written_statements(embedded::equation_txt); }
+std::vector<DecidedStatement> equation_statements() {
+  using Arguments = std::vector<GiNaC::ex>;
+  const auto bonded = [](const Arguments& a) { return bonded_layer(a[0], a[1], a[2], a[3]); };
+  const auto slipping = [](const Arguments& a) { return slipping_layer(a[0], a[1], a[2]); };
+  return written_statements(embedded::equation_txt, {},
+                            {{"bonded_W", {4, [=](const Arguments& a) { return bonded(a).normal; }}},
+                             {"bonded_defect", {4, [=](const Arguments& a) { return bonded(a).coupling_defect; }}},
+                             {"slip_W", {3, [=](const Arguments& a) { return slipping(a).normal; }}},
+                             {"slip_defect", {3, [=](const Arguments& a) { return slipping(a).coupling_defect; }}}});
+}
 
 std::vector<DecidedStatement> energy_statements() { return written_statements(embedded::energy_txt); }
 

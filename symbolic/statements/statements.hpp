@@ -15,7 +15,7 @@ std::vector<DecidedStatement> elasticity_statements();
 
 /// Statements on the equation: the reduction to the normal traction for both directions of sliding; the effect of
 /// dilation, shift, scaling, raising and mirror on the equation, the gap and the load [Bal16, (2), (3)]; the half-plane
-/// under given tractions [Bal16, (1)].
+/// under given tractions [Bal16, (1)]; one layer on a base.
 std::vector<DecidedStatement> equation_statements();
 
 /// Theorem 2 with a friction jump, with a wedge and a jump, with a wedge alone; theorem 3 at either end of contact, at
