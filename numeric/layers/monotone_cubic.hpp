@@ -1,5 +1,6 @@
 #pragma once
-// The piecewise cubic through given points that is monotone where they are, with a continuous derivative. [FC80]
+// The piecewise cubic through given points that is monotone where they are, with a continuous derivative [Fritsch and
+// Carlson, SIAM J. Numer. Anal. 17 (1980) 238].
 
 #include <algorithm>
 #include <vector>

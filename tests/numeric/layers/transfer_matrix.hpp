@@ -79,7 +79,7 @@ inline std::array<State, 2> surface_states(const Body& body, Plane plane, const 
   for (std::size_t n = body.layers().size(); n-- > 0;) {
     const Layer& layer = body.layers()[n];
     if (layer.below == Interface::slip) {
-      // Without shear below, and any u_x above.
+      // No shear below, and any u_x above.
       const std::size_t pivot = size_of(states[0][2]) > size_of(states[1][2]) ? 0 : 1;
       State held = combined(states[1 - pivot], -states[1 - pivot][2] / states[pivot][2], states[pivot]);
       held[0] = 0;
