@@ -2,8 +2,6 @@
 
 #include <stdexcept>
 
-#include "numeric/layers/layer_matrices.hpp"
-
 namespace steadyslide::numeric {
 
 template <Real R>
@@ -52,21 +50,31 @@ SymbolValues<R> BodySymbols<R>::at(const R& k) const {
     return {normal, coupling, 1 - normal, gamma_ - coupling};
   }
   if (layers_.empty() || given_normal_) return {R(1), gamma_, R(0), R(0)};
+  const HeldSide<R> below = held_sides(k)[0];
+  const Layer& layer = layers_[0];
+  const R xi = k * layer.thickness;
+  if (xi > 1) {
+    const Matrix2<R> defect = thick_layer_defect(layer.gamma, xi, below);
+    return {1 - defect.a, gamma_ - defect.b, defect.a, defect.b};
+  }
+  const Matrix2<R> compliance = raised(layer.gamma, layer.rest, xi, below).compliance();
+  return {compliance.a, compliance.b, 1 - compliance.a, gamma_ - compliance.b};
+}
+
+template <Real R>
+std::vector<HeldSide<R>> BodySymbols<R>::held_sides(const R& k) const {
+  std::vector<HeldSide<R>> result(layers_.size());
   Matrix2<R> compliance{};  // of what lies below, in units of its own c/k
-  if (base_gamma_) compliance = {R(1), *base_gamma_, *base_gamma_, R(1)};
+  if (base_gamma_) compliance = half_plane_compliance(*base_gamma_);
   for (std::size_t n = layers_.size(); n-- > 0;) {
     const Layer& layer = layers_[n];
     const R xi = k * layer.thickness;
-    const HeldSide<R> below = held_by(layer.below_to_c * compliance, layer.bonded);
-    if (xi > 1) {
-      const Matrix2<R> defect = thick_layer_defect(layer.gamma, xi, below);
-      if (n == 0) return {1 - defect.a, gamma_ - defect.b, defect.a, defect.b};
-      compliance = half_plane_compliance(layer.gamma) - defect;
-    } else {
-      compliance = thin_layer_compliance(layer.gamma, layer.rest, xi, below);
-    }
+    result[n] = held_by(layer.below_to_c * compliance, layer.bonded);
+    if (n == 0) break;
+    compliance = xi > 1 ? half_plane_compliance(layer.gamma) - thick_layer_defect(layer.gamma, xi, result[n])
+                        : raised(layer.gamma, layer.rest, xi, result[n]).compliance();
   }
-  return {compliance.a, compliance.b, 1 - compliance.a, gamma_ - compliance.b};
+  return result;
 }
 
 STEADYSLIDE_INSTANTIATE_CLASS(BodySymbols)

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "model/contact_problem.hpp"
+#include "numeric/layers/layer_matrices.hpp"
 #include "numeric/layers/monotone_cubic.hpp"
 #include "numeric/number/real.hpp"
 
@@ -52,7 +53,6 @@ class BodySymbols {
   /// Returns the wave numbers of the given symbols, between which alone they are smooth; empty for layers.
   const std::vector<R>& given_wave_numbers() const { return given_; }
 
- private:
   struct Layer {
     R thickness;
     R gamma;
@@ -60,7 +60,14 @@ class BodySymbols {
     R below_to_c;  ///< the compliance c of the solid below over that of the layer
     bool bonded;
   };
+  /// Returns the layers from the surface down; empty for the half-plane and for given symbols.
+  const std::vector<Layer>& layers() const { return layers_; }
+  /// Returns gamma of the base; absent: it is rigid, or there are no layers.
+  const std::optional<R>& base_gamma() const { return base_gamma_; }
+  /// Returns the lower side of each layer, in units of its own c/k.
+  std::vector<HeldSide<R>> held_sides(const R& k) const;
 
+ private:
   R gamma_;
   std::vector<Layer> layers_;    ///< from the surface down
   std::optional<R> base_gamma_;  ///< absent: rigid

@@ -18,21 +18,19 @@ R x_cosh_minus_sinh(const R& x) {
 }  // namespace
 
 template <Real R>
-Matrix2<R> thick_layer_defect(const R& gamma, const R& xi, const HeldSide<R>& below) {
-  const Matrix2<R> one{R(1), R(0), R(0), R(1)};
-  const Matrix2<R> down = half_plane_compliance(gamma);
-  const Matrix2<R> up = half_plane_compliance(R(-gamma));
-  // The traction of the upward field over that of the downward field, at the lower side and at the surface.
-  const Matrix2<R> lower =
-      (down * below.tractions - below.displacements) * (below.displacements + up * below.tractions).inverse();
-  const Matrix2<R> rises{1 + xi, -xi, xi, 1 - xi};
-  const Matrix2<R> falls{1 + xi, xi, -xi, 1 - xi};
-  const Matrix2<R> surface = exp(R(-2 * xi)) * (rises * lower * falls);
-  return R(2) * (surface * (one + surface).inverse());  // M + M* = 2
+Matrix2<R> reflection(const R& gamma, const HeldSide<R>& below) {
+  return (half_plane_compliance(gamma) * below.tractions - below.displacements) *
+         (below.displacements + half_plane_compliance(R(-gamma)) * below.tractions).inverse();
 }
 
 template <Real R>
-Matrix2<R> thin_layer_compliance(const R& gamma, const R& rest, const R& xi, const HeldSide<R>& below) {
+Matrix2<R> thick_layer_defect(const R& gamma, const R& xi, const HeldSide<R>& below) {
+  const Matrix2<R> surface = rising(xi) * reflection(gamma, below) * falling(xi);
+  return R(2) * (surface * (Matrix2<R>{R(1), R(0), R(0), R(1)} + surface).inverse());  // M + M* = 2
+}
+
+template <Real R>
+HeldSide<R> raised(const R& gamma, const R& rest, const R& xi, const HeldSide<R>& below) {
   const R s = sinh(xi);
   const R c = cosh(xi);
   const R t = xi * s;
@@ -45,13 +43,14 @@ Matrix2<R> thin_layer_compliance(const R& gamma, const R& rest, const R& xi, con
                           rest * (2 * s + rest * d)};
   const Matrix2<R> p_of_w{-d, -t, t, 2 * s + d};
   const Matrix2<R> p_of_p{c - rest * t, -s - rest * d, a * s + rest * d, c + rest * t};
-  return (w_of_w * below.displacements + w_of_p * below.tractions) *
-         (p_of_w * below.displacements + p_of_p * below.tractions).inverse();
+  return {w_of_w * below.displacements + w_of_p * below.tractions,
+          p_of_w * below.displacements + p_of_p * below.tractions};
 }
 
 #define STEADYSLIDE_INSTANTIATE(R)                                                \
+  template Matrix2<R> reflection(const R&, const HeldSide<R>&);                   \
   template Matrix2<R> thick_layer_defect(const R&, const R&, const HeldSide<R>&); \
-  template Matrix2<R> thin_layer_compliance(const R&, const R&, const R&, const HeldSide<R>&);
+  template HeldSide<R> raised(const R&, const R&, const R&, const HeldSide<R>&);
 STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 

@@ -36,6 +36,8 @@ template <Real R>
 struct HeldSide {
   Matrix2<R> displacements;
   Matrix2<R> tractions;
+
+  Matrix2<R> compliance() const { return displacements * tractions.inverse(); }
 };
 
 /// Returns the side that a body of this compliance holds, in units of the layer's c/k: bonded, or free to slip. On a
@@ -59,13 +61,30 @@ Matrix2<R> half_plane_compliance(const R& gamma) {
   return {R(1), gamma, gamma, R(1)};
 }
 
+/// Returns exp(-zeta) (1 + zeta N), which takes the traction of the downward field down by zeta.
+template <Real R>
+Matrix2<R> falling(const R& zeta) {
+  return exp(R(-zeta)) * Matrix2<R>{1 + zeta, zeta, -zeta, 1 - zeta};
+}
+
+/// Returns exp(-zeta) (1 + zeta N*), which takes the traction of the upward field up by zeta.
+template <Real R>
+Matrix2<R> rising(const R& zeta) {
+  return exp(R(-zeta)) * Matrix2<R>{1 + zeta, -zeta, zeta, 1 - zeta};
+}
+
+/// Returns the traction of the upward field over that of the downward field at the lower side.
+template <Real R>
+Matrix2<R> reflection(const R& gamma, const HeldSide<R>& below);
+
 /// Returns M minus the compliance of the surface, for xi = k h > 1. It decays like exp(-2 xi) and loses no digit.
 template <Real R>
 Matrix2<R> thick_layer_defect(const R& gamma, const R& xi, const HeldSide<R>& below);
 
-/// Returns the compliance of the surface for xi <= 1, `rest` = 1 - gamma. Its relative error is a few epsilon, also
-/// for small xi, for nearly incompressible layers and for bodies below that are much softer or stiffer.
+/// Returns the states at a height xi <= 1 above the lower side, for the same e; `rest` = 1 - gamma. Their relative
+/// errors are a few epsilon, also for small xi, for nearly incompressible layers and for bodies below that are much
+/// softer or stiffer.
 template <Real R>
-Matrix2<R> thin_layer_compliance(const R& gamma, const R& rest, const R& xi, const HeldSide<R>& below);
+HeldSide<R> raised(const R& gamma, const R& rest, const R& xi, const HeldSide<R>& below);
 
 }  // namespace steadyslide::numeric
