@@ -11,6 +11,7 @@
 #include "library/solve/double_range.hpp"
 #include "library/text/one_line.hpp"
 #include "model/invalid_data.hpp"
+#include "numeric/bodies/body_contact.hpp"
 #include "numeric/closed_form/closed_form.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "numeric/variational/variational_inequality.hpp"
@@ -112,6 +113,9 @@ numeric::Attempt<R> attempt(Method method, const ContactProblem& problem, const 
   if (method != Method::riemann_hilbert) {
     numeric::Attempt<R> formula = numeric::closed_form<R>(problem);
     if (formula.solution || method == Method::closed_form) return formula;
+  }
+  if constexpr (std::same_as<R, double>) {
+    if (!problem.body().is_half_plane()) return numeric::contact_on_body(problem);
   }
   return numeric::riemann_hilbert<R>(problem, start);
 }

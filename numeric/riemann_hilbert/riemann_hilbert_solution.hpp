@@ -24,6 +24,8 @@ class RiemannHilbertSolution : public ContactSolution<R> {
 
   const RoundedProblem<R>& problem() const { return reduced_; }
   const ContactState<R>& state() const { return found_.state; }
+  const StateErrors<R>& state_errors() const { return found_.errors; }
+  const std::vector<HairlineGap<R>>& hairline_gaps() const { return found_.hairline_gaps; }
   const TractionRepresentation<R>& form() const { return form_; }
   /// True if the traction blows up at an end.
   bool has_edge() const;

@@ -94,12 +94,15 @@ CellFriction cell_friction(const ContactProblem& problem, const CellMesh& mesh, 
 
   CellFriction result{std::vector<double>(mesh.size()), std::vector<double>(mesh.size()), 1};
   if (std::any_of(s.begin(), s.end(), [](double value) { return value < 0; })) result.sign = -1;
+  if (!problem.body().is_half_plane()) result.signed_friction.resize(mesh.size());
   for_each_part(mesh, ends, [&](std::size_t i, std::size_t piece, const Interval& part) {
     const double length = part.right - part.left;
     const double middle = (part.left + part.right) / 2;
     // s at x' affects all x in the cell on its other side.
     const double reach = result.sign > 0 ? mesh.right(i) - middle : middle - mesh.left(i);
     result.whole[i] += s[piece] * length;
+    if (!result.signed_friction.empty())
+      result.signed_friction[i] -= to_real<double>(problem.shear_ratio(piece)) * length / mesh.length(i);
     result.own[i] += result.sign * s[piece] * length * reach / mesh.length(i);
   });
   const auto strong = [](double value) { return std::abs(value) > strong_friction; };

@@ -65,6 +65,8 @@ struct CellFriction {
   int sign = 1;
   /// The cells whose equation applies at their right end (with sign < 0 at their left end); empty: none.
   std::vector<char> at_end = {};
+  /// The mean of f, f > 0 sliding towards +x, otherwise f < 0; empty for the half-plane, where only s counts.
+  std::vector<double> signed_friction = {};
 
   bool is_at_end(std::size_t i) const { return !at_end.empty() && at_end[i]; }
 };

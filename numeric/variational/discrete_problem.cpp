@@ -4,6 +4,16 @@
 
 namespace steadyslide::numeric::variational {
 
+SurfaceKernel surface_kernel(const ContactProblem& problem, const Frame& frame) {
+  if (problem.body().is_half_plane()) return {};
+  const Indenter& indenter = problem.indenter();
+  const std::vector<Rational>& f = problem.friction().values();
+  return SurfaceKernel(
+      // Cells look a little beyond the support.
+      surface_correction<double>(problem, 1.5 * to_real<double>(Rational(indenter.right() - indenter.left()))),
+      to_real<double>(frame.unit), to_real<double>(*std::max_element(f.begin(), f.end())));
+}
+
 DiscreteProblem::DiscreteProblem(const ContactProblem& problem, CellMesh mesh, FrictionRule rule,
                                  const SurfaceKernel& kernel)
     : DiscreteProblem(problem, mesh, CellProfile(problem, mesh.frame()), rule, kernel) {}

@@ -13,6 +13,9 @@
 
 namespace steadyslide::numeric::variational {
 
+/// Returns the kernel of the problem's body, in the frame's unit.
+SurfaceKernel surface_kernel(const ContactProblem& problem, const Frame& frame);
+
 class DiscreteProblem {
  public:
   /// The damped rule requires a uniform mesh.

@@ -203,6 +203,7 @@ CellSet prolonged(const CellSet& set, std::size_t cells) {
 
 NestedResult solve_nested(const ContactProblem& problem, const Frame& frame, const VariationalOptions& options) {
   const CellProfile profile(problem, frame);
+  const SurfaceKernel kernel = surface_kernel(problem, frame);
   const std::vector<std::size_t> sizes = mesh_sizes(options.cells);
   const std::size_t total = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
   std::size_t done = 0;
@@ -232,7 +233,8 @@ NestedResult solve_nested(const ContactProblem& problem, const Frame& frame, con
         guess.pressure[i] = coarse.found.state.pressure[coarse_cell(i, n, coarse.problem->size())];
       }
     }
-    auto on_cells = std::make_shared<DiscreteProblem>(problem, CellMesh(frame, n), profile, options.friction_rule);
+    auto on_cells =
+        std::make_shared<DiscreteProblem>(problem, CellMesh(frame, n), profile, options.friction_rule, kernel);
     result.fine = solve_on_cells(std::move(on_cells), std::move(contact), guess, on_mesh);
     done += n;
     report();

@@ -87,11 +87,12 @@ std::vector<std::complex<double>> SurfaceInverse::reciprocal(double s, const Fou
   const bool at_end = !friction.at_end.empty() && std::abs(s) > strong_friction;
   const double rest = at_end ? friction.sign * 0.5 : 0;
   std::vector<std::complex<double>> result = influence_.spectrum(at_end, fourier);
+  const std::vector<std::complex<double>> coupling = influence_.coupling_spectrum(at_end, s * length_, fourier);
   const auto n = static_cast<double>(fourier.size());
   for (std::size_t k = 0; k < result.size(); ++k) {
     const double cot = k == 0 ? 0 : 1 / std::tan(std::numbers::pi * static_cast<double>(k) / n);
     // The sum over the cells before plus half of the cell itself has the symbol -i h/2 cot(theta/2).
-    const std::complex<double> symbol = result[k] + s * length_ * std::complex(rest, -cot / 2);
+    const std::complex<double> symbol = result[k] + coupling[k] + s * length_ * std::complex(rest, -cot / 2);
     result[k] = std::conj(symbol) / std::norm(symbol);
   }
   return result;

@@ -50,8 +50,8 @@ std::optional<Part> VariationalSolution::penetrated_part(const variational::Disc
     pressure[i] = meshes_.front().between(own(cells.left(i)), own(cells.right(i))) / cells.length(i);
   }
   support.galerkin_operator().multiply(pressure, displacement);
-  // A logarithm in another unit of length differs by a constant.
-  const double constant = kernel().at(ratio) - state().approach;
+  // A kernel in another unit of length differs by a constant.
+  const double constant = kernel().at(ratio / 2) - support.galerkin_operator().kernel().at(0.5) - state().approach;
   std::optional<Part> result;
   const auto look = [&](double xi, Side side) {
     if (std::abs(own(xi)) <= 0.5) return;
@@ -74,7 +74,6 @@ std::optional<Part> VariationalSolution::penetrated_part(const variational::Disc
 
 Attempt<double> variational_inequality(const ContactProblem& problem, const VariationalOptions& options) {
   if (options.cells < fewest_cells || options.cells > most_cells) throw std::invalid_argument("number of cells");
-  if (std::string reason = problem.body().beyond_half_plane(); !reason.empty()) return {nullptr, std::move(reason)};
   const Frame frame = variational::support_frame(problem);
   const auto x = [&](double xi) { return Rational(frame.origin + frame.unit * Rational(xi)); };
   VariationalOptions tried = options;

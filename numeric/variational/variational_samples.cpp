@@ -84,12 +84,15 @@ double VariationalSolution::displacement_beyond(const variational::MeshSolution&
   const variational::CellMesh& cells = solution.problem->mesh();
   const variational::CellFriction& friction = solution.problem->galerkin_operator().friction();
   const bool feels_friction = (xi > 0) == (friction.sign > 0);
+  const double h = cells.length(0);
   double sum = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const double p = solution.found.state.pressure[i];
     if (p == 0) continue;
     sum += p * cells.length(i) * kernel().mean_from_point(cells.left(i), cells.right(i), xi);
     if (feels_friction) sum += friction.sign * p * friction.whole[i];
+    if (!friction.signed_friction.empty())
+      sum += p * friction.signed_friction[i] * kernel().coupling_from_equal_cell(h, (xi - cells.centre(i)) / h);
   }
   return sum;
 }
@@ -118,8 +121,9 @@ TwoSided<double> VariationalSolution::slope_beyond(double slope) const {
 
 Sample<double> VariationalSolution::outside(const Rational& x) const {
   const double xi = mesh().place(x);
-  const double sum = sum_over(
-      runs_, [&](std::size_t i) { return state().pressure[i] * kernel().slope(mesh().left(i), mesh().right(i), xi); });
+  const double sum = sum_over(runs_, [&](std::size_t i) {
+    return state().pressure[i] * kernel().slope(mesh().left(i), mesh().right(i), xi, signed_friction(i));
+  });
   Sample<double> result{to_real<double>(x), {}, {}, std::nullopt, {}};
   result.slope = slope_beyond(-height_ / unit_ * sum / std::numbers::pi);
   if (is_on_support(x)) {
@@ -241,7 +245,7 @@ Estimate<double> VariationalSolution::rise_beyond(double xi) const {
   const Indenter& indenter = problem_.indenter();
   const double end = mesh().place(xi < 0 ? indenter.left() : indenter.right());
   const double sum = sum_over(runs_, [&](std::size_t i) {
-    return state().pressure[i] * kernel().rise(mesh().left(i), mesh().right(i), end, xi);
+    return state().pressure[i] * kernel().rise(mesh().left(i), mesh().right(i), end, xi, signed_friction(i));
   });
   const double rise = height_ / std::numbers::pi * sum;
   return {rise, std::abs(rise) * estimated_error().traction + 1e-15 * height_};
@@ -255,7 +259,7 @@ std::vector<double> VariationalSolution::shear_transform(const std::vector<doubl
   const std::span<double> values = fourier.values();
   std::fill(values.begin(), values.end(), 0.0);
   for (std::size_t m = 1; m < n; ++m) {
-    values[size - m] = kernel().slope(-0.5, 0.5, -static_cast<double>(m)) / std::numbers::pi;
+    values[size - m] = kernel().slope(-0.5, 0.5, -static_cast<double>(m), 0) / std::numbers::pi;
     values[m] = -values[size - m];
   }
   fourier.forward();
@@ -274,10 +278,14 @@ std::vector<double> VariationalSolution::shear_transform(const std::vector<doubl
 TwoSided<double> VariationalSolution::shear_slope(double xi, const TwoSided<double>& traction) const {
   const double c = to_real<double>(problem_.elasticity().compliance());
   const double gamma = to_real<double>(problem_.elasticity().gamma());
+  if (!kernel().is_half_plane()) {
+    const Estimate<double> unknown{0, infinity<double>()};
+    return {unknown, unknown};
+  }
   if (xi < mesh().edges().front() || xi > mesh().edges().back()) {
     ShearRatios ratios(problem_, mesh());
     const double sum = sum_over(runs_, [&](std::size_t i) {
-      return ratios.at(mesh().centre(i)) * traction_[i] * kernel().slope(mesh().left(i), mesh().right(i), xi);
+      return ratios.at(mesh().centre(i)) * traction_[i] * kernel().slope(mesh().left(i), mesh().right(i), xi, 0);
     });
     return slope_beyond(c / std::numbers::pi * sum);
   }

@@ -59,7 +59,7 @@ bool VariationalSolution::reaches_edge() const {
 }
 
 std::vector<double> VariationalSolution::touching_pressures() const {
-  if (mesh().frame().unit != variational::support_frame(problem_).unit) return {};
+  if (!kernel().is_half_plane() || mesh().frame().unit != variational::support_frame(problem_).unit) return {};
   std::vector<double> result = variational::touching_state(problem_, found_.fine).pressure;
   for (double& p : result) p *= stress_;
   return result;

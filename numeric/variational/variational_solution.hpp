@@ -140,6 +140,11 @@ class VariationalSolution : public ContactSolution<double> {
   /// Returns t of the coarser mesh at the middle of cell i.
   double coarse_traction(std::size_t i) const;
   Estimate<double> traction(std::size_t cell) const;
+  /// Returns the mean of f over cell i, as in CellFriction; 0 on the half-plane.
+  double signed_friction(std::size_t i) const {
+    const std::vector<double>& f = discrete().galerkin_operator().friction().signed_friction;
+    return f.empty() ? 0 : f[i];
+  }
   double displacement(double xi) const;
   /// Returns B p of a mesh at a place outside the cells.
   double displacement_beyond(const variational::MeshSolution& solution, double xi) const;

@@ -52,7 +52,7 @@ void check(Findings& findings, const Variant& variant, const Numbered& c) {
         slip = j < i ? b.friction().whole[j] : i == j ? b.friction().whole[i] + b.friction().own[i] : 0;
       }
       const double shift = problem.mesh().length(j) * std::log(variant.unit) / std::numbers::pi;
-      const double entry = variant.logarithm * b.logarithm(i, j) + shift + slip;
+      const double entry = variant.logarithm * b.kernel_entry(i, j) + shift + slip;
       least = std::min(least, entry);
       most = std::max(most, entry);
       if (i == j) diagonal = std::min(diagonal, entry);

@@ -102,7 +102,7 @@ Eigen::MatrixXd symmetric_part(const CellMesh& mesh, const GalerkinOperator& b, 
   return matrix_of(b.size(), b.size(), [&](std::size_t row, std::size_t column) {
     // This makes the rounding equal on both sides of the diagonal.
     const auto [i, j] = std::minmax(row, column);
-    const double value = b.logarithm(i, j) / mesh.length(j);
+    const double value = b.kernel_entry(i, j) / mesh.length(j);
     return slip ? value + (b.friction_entry(i, j) / mesh.length(j) + b.friction_entry(j, i) / mesh.length(i)) / 2
                 : value;
   });

@@ -30,7 +30,7 @@ ProductError product_error(const GalerkinOperator& b) {
     double row = 0;
     for (std::size_t j = 0; j < b.size(); ++j) {
       sum += static_cast<long double>(b.entry(i, j)) * p[j];
-      logarithms += static_cast<long double>(b.logarithm(i, j)) * p[j];
+      logarithms += static_cast<long double>(b.kernel_entry(i, j)) * p[j];
       row += std::abs(b.entry(i, j));
     }
     result.whole = std::max(result.whole, static_cast<double>(std::abs(sum - found[i])));

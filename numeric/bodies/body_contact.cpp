@@ -1,0 +1,178 @@
+#include "numeric/bodies/body_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "numeric/bodies/correction_sum.hpp"
+#include "numeric/bodies/fixed_point.hpp"
+#include "numeric/bodies/smooth_slope.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
+#include "numeric/variational/variational_inequality.hpp"
+
+namespace steadyslide::numeric {
+namespace {
+
+/// A solution on the half-plane under the corrected profile, as one of the body under its own.
+class BodySolution : public RiemannHilbertSolution<double> {
+ public:
+  BodySolution(const ContactProblem& problem, const ContactProblem& corrected, const Frame& frame, const Search& search,
+               std::shared_ptr<const SurfaceCorrection<double>> correction, double relative_error)
+      : RiemannHilbertSolution<double>(corrected, frame, search),
+        compliance_(to_real<double>(problem.elasticity().compliance())),
+        origin_(to_real<double>(problem.origin_of_displacement())),
+        correction_(std::move(correction), piecewise_traction()),
+        relative_error_(relative_error) {}
+
+  Sample<double> at(const Rational& x) const override {
+    Sample<double> result = RiemannHilbertSolution<double>::at(x);
+    correct(result);
+    return result;
+  }
+  std::vector<Sample<double>> samples(int count) const override {
+    std::vector<Sample<double>> result = RiemannHilbertSolution<double>::samples(count);
+    for (Sample<double>& sample : result) correct(sample);
+    return result;
+  }
+  DetailedSample<double> details_at(const Rational& x) const override {
+    return corrected(RiemannHilbertSolution<double>::details_at(x));
+  }
+  std::vector<DetailedSample<double>> detailed_samples(int count) const override {
+    std::vector<DetailedSample<double>> result = RiemannHilbertSolution<double>::detailed_samples(count);
+    for (DetailedSample<double>& sample : result) sample = corrected(std::move(sample));
+    return result;
+  }
+
+ private:
+  Estimate<double> estimate(double value) const { return {value, relative_error_ * std::abs(value)}; }
+  void correct(Sample<double>& sample) const {
+    const Estimate<double> slope = estimate(compliance_ * correction_.slope(sample.x));
+    sample.slope = {sample.slope.left - slope, sample.slope.right - slope};
+  }
+  DetailedSample<double> corrected(DetailedSample<double> sample) const {
+    correct(sample);
+    sample.displacement =
+        sample.displacement - estimate(compliance_ * (correction_.height(sample.x) - correction_.height(origin_)));
+    const Estimate<double> unknown{0, infinity<double>()};
+    sample.shear_slope = {unknown, unknown};
+    return sample;
+  }
+
+  double compliance_;
+  double origin_;
+  CorrectionSum correction_;
+  double relative_error_;
+};
+
+/// The iteration for w.
+class CorrectedContact {
+ public:
+  CorrectedContact(const ContactProblem& problem, const ContactSolution<double>& cells)
+      : problem_(problem),
+        support_(to_real<double>(Rational(problem.indenter().right() - problem.indenter().left()))),
+        correction_(surface_correction<double>(problem, 1.5 * support_)),
+        left_(cells.contact().front().left.x.value),
+        right_(cells.contact().back().right.x.value),
+        slope_(problem.indenter(), left_, right_, [this](double x) { return radius(x); }) {}
+
+  Attempt<double> solve(const ContactSolution<double>& cells);
+
+ private:
+  using Solution = RiemannHilbertSolution<double>;
+
+  /// Returns the distance of the singularities of w, as far as the contact's ends tell.
+  double radius(double x) const {
+    const double near = std::max({left_ - x, x - right_, 0.0});
+    const double far = std::max(std::abs(left_ - x), std::abs(right_ - x));
+    return std::min(correction_->radius(near), correction_->radius(far));
+  }
+  /// Returns w at the nodes.
+  Eigen::VectorXd correction_under(const ContactSolution<double>& solution) const {
+    const CorrectionSum sum(correction_, solution.piecewise_traction());
+    Eigen::VectorXd w(slope_.nodes().size());
+    for (std::size_t i = 0; i < slope_.nodes().size(); ++i)
+      w(static_cast<Eigen::Index>(i)) = sum.slope(slope_.nodes()[i]);
+    return w;
+  }
+  ContactProblem corrected(const Eigen::VectorXd& w, SmoothSlope::Detail detail) {
+    slope_.set({w.begin(), w.end()});
+    return slope_.added_to(problem_, problem_.elasticity().compliance(), detail);
+  }
+
+  const ContactProblem& problem_;
+  double support_;
+  std::shared_ptr<const SurfaceCorrection<double>> correction_;
+  double left_, right_;
+  SmoothSlope slope_;
+};
+
+Attempt<double> CorrectedContact::solve(const ContactSolution<double>& cells) {
+  using Detail = SmoothSlope::Detail;
+  constexpr int most_steps = 60, patience = 4;
+  constexpr double enough = 2e-15, acceptable = 1e-9;
+  AndersonIteration iteration;
+  Eigen::VectorXd w = correction_under(cells);
+  std::shared_ptr<const Solution> best;
+  Eigen::VectorXd best_w;
+  double least = infinity<double>();
+  // t is about P over the contact's width, and an error of w changes t by about as much.
+  const double scale = to_real<double>(problem_.load()) / (right_ - left_);
+  std::string reason;
+  int without_progress = 0;
+  Detail detail = Detail::rough;
+  for (int step = 0; step < most_steps && least > enough && without_progress < patience; ++step) {
+    // Rough polynomials change w by about their error, so more steps with them do not help.
+    if (detail == Detail::rough && (least < 100 * slope_.relative_error(detail) || without_progress == patience - 1)) {
+      detail = Detail::fine;
+      least = infinity<double>();
+      without_progress = 0;
+    }
+    const ContactSolution<double>& start = best ? *best : cells;
+    const Attempt<double> found = riemann_hilbert<double>(corrected(w, detail), &start);
+    if (!found.solution || !found.solution->failed_condition().empty()) {
+      reason = found.solution ? found.solution->failed_condition() : found.reason;
+      break;
+    }
+    const Eigen::VectorXd residual = correction_under(*found.solution) - w;
+    const double change = residual.cwiseAbs().maxCoeff() / std::max(scale, w.cwiseAbs().maxCoeff());
+    ++without_progress;
+    if (change < least / 2) without_progress = 0;
+    if (change < least) {
+      least = change;
+      best = std::dynamic_pointer_cast<const Solution>(found.solution);
+      best_w = w;
+    }
+    w = iteration.next(w, residual);
+  }
+  if (!best || least > acceptable) {
+    return {nullptr, "the correction of the surface did not converge: its last change is " + std::to_string(least) +
+                         (reason.empty() ? "" : "; " + reason)};
+  }
+  const double error = 10 * (least + slope_.relative_error(detail));
+  const auto search = [&](const RoundedProblem<double>& reduced, JacobiRules<double>&) {
+    const ContactState<double>& state = best->state();
+    StateErrors<double> errors = best->state_errors();
+    errors.ends.distance += error * state.set.span_length();
+    errors.ends.length += error;
+    errors.tilt += error * reduced.load();
+    if (errors.polynomial.empty()) errors.polynomial.resize(1);
+    for (double& coefficient : errors.polynomial) coefficient += error * reduced.load();
+    return SearchResult<double>{
+        {ContactSet<double>::converted(reduced, state.set), state.q, state.tilt}, errors, {}, best->hairline_gaps()};
+  };
+  return {std::make_shared<BodySolution>(problem_, corrected(best_w, detail), best->problem().frame(), search,
+                                         correction_, error),
+          {}};
+}
+
+}  // namespace
+
+Attempt<double> contact_on_body(const ContactProblem& problem) {
+  const Attempt<double> cells = variational_inequality(problem, {.cells = 1024});
+  if (!cells.solution || !cells.solution->failed_condition().empty())
+    return {nullptr, cells.solution ? cells.solution->failed_condition() : cells.reason};
+  return CorrectedContact(problem, *cells.solution).solve(*cells.solution);
+}
+
+}  // namespace steadyslide::numeric

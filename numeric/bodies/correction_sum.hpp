@@ -1,0 +1,27 @@
+#pragma once
+// The correction of a body's surface (surface_correction.hpp) under a traction. The forces on each part of the contact are
+// replaced by forces at Chebyshev's points with the same integrals of polynomials. So few terms are left, because N and T
+// are analytic around a part.
+
+#include "numeric/bodies/surface_correction.hpp"
+#include "numeric/solution/piecewise_traction.hpp"
+
+namespace steadyslide::numeric {
+
+class CorrectionSum {
+ public:
+  CorrectionSum(std::shared_ptr<const SurfaceCorrection<double>> correction, const PiecewiseTraction<double>& traction);
+
+  /// Returns w = (1/pi) int t(x') [N'(x'-x) + f(x') T'(x'-x)] dx'.
+  double slope(double x) const;
+  /// Returns int w dx up to a constant: -(1/pi) int t(x') [N(x'-x) + f(x') T(x'-x)] dx'.
+  double height(double x) const;
+
+ private:
+  std::shared_ptr<const SurfaceCorrection<double>> correction_;
+  std::vector<double> places_;
+  std::vector<double> forces_;
+  std::vector<double> sliding_forces_;  ///< times f
+};
+
+}  // namespace steadyslide::numeric
