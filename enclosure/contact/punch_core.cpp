@@ -9,6 +9,7 @@ std::optional<PunchCore> punch_core(const ContactProblem& problem, Bits bits) {
   const auto is_flat = [&](const Indenter::Piece& piece) {
     return piece.profile == punch.pieces().front().profile && piece.profile.degree() <= 0;
   };
+  if (!problem.body().is_half_plane()) return std::nullopt;
   if (problem.elasticity().indenter() || !std::ranges::all_of(punch.pieces(), is_flat)) return std::nullopt;
 
   const Rational centre = (punch.left() + punch.right()) / 2;

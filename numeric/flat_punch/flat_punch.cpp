@@ -264,6 +264,7 @@ std::optional<PunchCore<R>> punch_core(const ContactProblem& problem) {
   const auto is_flat = [&](const Indenter::Piece& piece) {
     return piece.profile == punch.pieces().front().profile && piece.profile.degree() <= 0;
   };
+  if (!problem.body().is_half_plane()) return std::nullopt;
   if (problem.elasticity().indenter() || !std::all_of(punch.pieces().begin(), punch.pieces().end(), is_flat))
     return std::nullopt;
 

@@ -109,7 +109,7 @@ bool has_few_components(const Case<R>& c) {
 /// If the right side of the indenter is raised, the centre of pressure moves to the left.
 template <Real R>
 bool follows_the_tilt(const Case<R>& c) {
-  if (c.problem.load_at()) return true;
+  if (c.problem.load_at() || c.problem.body().period()) return true;
   const Rational width = c.problem.indenter().right() - c.problem.indenter().left();
   const Rational tilt = c.problem.elasticity().compliance() * c.problem.load() / width / 8;
   std::vector<Indenter::Piece> pieces = c.problem.indenter().pieces();
@@ -195,6 +195,11 @@ void obeys_the_laws(const Method<R>& method) {
 /// 1.2e-12. punch_accuracy_test.cpp has the grid with the tolerance 1e-12.
 Method<double> closed_form_in_double(const char* name, const rc::Gen<ContactProblem>& problems) {
   return {std::string("closed form in double, ") + name, closed_form<double>, problems, 1e-11, 0, {1e-11, 1e-9, 1e-9}};
+}
+
+/// Next to free ends, rounding of the ends changes small tractions.
+Method<double> periodic_in_double() {
+  return {"periodic contact in double", closed_form<double>, periodic_zone(4), 1e-10, 1e-10, {1e-10, 1e-8, 1e-8}};
 }
 
 /// Residuals at 50 digits are the main cost. punch_accuracy_test.cpp measures those of flat punches.
@@ -287,12 +292,17 @@ void refutes_wrong_laws(const Method<R>& method) {
 TEST_CASE("closed forms obey the laws") {
   obeys_the_laws<double>(closed_form_in_double("flat punches", flat_punch(6)));
   obeys_the_laws<double>(closed_form_in_double("parabolas", parabola(6)));
+  obeys_the_laws<double>(periodic_in_double());
   obeys_the_laws<Real50>(closed_form_in_50());
 }
 
 TEST_CASE("estimated errors of closed forms are honest") {
   CHECK(rc::check("flat punches", [] { errors_are_honest(*flat_punch(5)); }));
   CHECK(rc::check("parabolas", [] { errors_are_honest(*parabola(5)); }));
+  CHECK(rc::check("periodic contact", [] {
+    const ContactProblem problem = *periodic_zone(3);
+    if (closed_form<double>(problem).solution) errors_are_honest(problem);
+  }));
 }
 
 TEST_CASE("solvers: the Riemann-Hilbert method obeys the laws") { obeys_the_laws<double>(riemann_hilbert_in_double()); }

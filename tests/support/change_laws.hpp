@@ -42,11 +42,12 @@ inline ContactProblem scaled(const ContactProblem& p, const Rational& profile, c
 inline ContactProblem raised(const ContactProblem& p, const Rational& height) {
   std::vector<Indenter::Piece> pieces = p.indenter().pieces();
   for (Indenter::Piece& piece : pieces) piece.profile = piece.profile + Polynomial::constant(height);
-  return p.with_indenter(Indenter(p.indenter().left(), pieces));
+  return p.with_indenter(Indenter(p.indenter().left(), pieces)
+                             .with_harmonics(p.indenter().harmonics(), p.indenter().origin_of_harmonics()));
 }
 
 inline ContactProblem with_elasticity(const ContactProblem& p, const Elasticity& elasticity) {
-  return {elasticity, p.friction(), p.indenter(), p.load(), p.sliding(), p.load_at()};
+  return {elasticity, p.friction(), p.indenter(), p.load(), p.sliding(), p.load_at(), p.body()};
 }
 
 /// A stiffer solid under a larger load; not for reduced data or an elastic indenter.

@@ -69,6 +69,26 @@ inline rc::Gen<ContactProblem> parabola(int max_jumps) {
   });
 }
 
+/// Periodic contact on one zone: a flat punch, or a wave that is lowest inside the support, under a load that keeps a gap
+/// open if the support is long.
+inline rc::Gen<ContactProblem> periodic_zone(int max_jumps) {
+  return rc::gen::exec([max_jumps] {
+    const SurfaceData s = *surface(max_jumps);
+    const Rational width = s.right - s.left,
+                   period = width * (30 + uniform(0, 60)) / 20;  // beside the contact there is none
+    const Elasticity e = *elasticity();
+    Indenter indenter(s.left, {{s.right, Polynomial::constant(*rational(-1, 1, 3))}});
+    Rational load = *rational(1, 40, 9);
+    if (*rc::gen::arbitrary<bool>()) {
+      const Rational height = *rational(1, 4, 7);
+      indenter = indenter.with_harmonics({{1, -height, height * uniform(-9, 9) / 40}, {2, height / uniform(10, 20), 0}},
+                                         s.left + width * uniform(25, 75) / 100);
+      load = height / e.compliance() * uniform(1, 20) / 8;
+    }
+    return ContactProblem(e, s.friction, indenter, load, *sliding(), std::nullopt, Body::periodic(period));
+  });
+}
+
 /// Any profile with small data: jumps on wedges, jumps of height zero, equal friction values, gamma = 0.
 inline rc::Gen<ContactProblem> coincidences() {
   return rc::gen::exec([] {
