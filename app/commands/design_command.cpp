@@ -87,6 +87,10 @@ Coatings coatings_of_file(const Problem& problem) {
 }
 
 void check_punch(const Problem& problem) {
+  if (!problem.contact.body().is_half_plane()) {
+    throw refused(problem, "half_space: another body", "layouts are found for a punch on a half-plane",
+                  "layers, a period or symbols");
+  }
   if (!numeric::punch_core<double>(problem.contact)) {
     throw refused(problem, "indenter: not a flat punch", "layouts are found for a rigid one with a constant profile",
                   "another");

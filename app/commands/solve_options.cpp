@@ -184,7 +184,7 @@ SolveOptions solve_options(const Given& given) {
 
 void check_method(const SolveOptions& options, const Problem& problem) {
   const bool on_cells = takes_variational(options.method, problem.contact, options.certify, options.common.digits);
-  const bool proves_on_cells = on_cells && options.certify;
+  const bool proves_on_cells = on_cells && options.certify, half_plane = problem.contact.body().is_half_plane();
   const std::string method = "--method " + options.method_name, digits = std::to_string(options.common.digits);
   const std::string cells_rule = "it goes with --method variational, and with auto where that takes it";
   refuse({
@@ -194,6 +194,10 @@ void check_method(const SolveOptions& options, const Problem& problem) {
        "with --certify it goes with closed-form and riemann-hilbert", method},
       {proves_on_cells && options.field.any(), "--certify: method without proved stresses and nodal forces",
        "with them it goes with closed-form and riemann-hilbert", method},
+      {options.certify && !half_plane, "--certify: body without a proof", "proofs are for the half-plane",
+       problem.file},
+      {options.field.is_inside() && !half_plane, "--stress-at, --displacement-at, --max-stress: body without a field",
+       "the field inside is that of the half-plane", problem.file},
       {options.field.largest_stress && !problem.contact.elasticity().half_space(), "--max-stress: no von Mises stress",
        "it needs the half-space's poisson in place of gamma", problem.file},
       {!options.field.displaced.empty() && !problem.contact.elasticity().half_space(),

@@ -25,6 +25,8 @@ struct FieldWanted {
   bool largest_stress = false;
   std::optional<Rational> depth;  ///< the smallest depth for the largest stress; absent for numeric::default_depth
 
+  /// True if something below the surface is wanted.
+  bool is_inside() const { return !points.empty() || !displaced.empty() || largest_stress; }
   bool any() const { return !points.empty() || !displaced.empty() || mesh || largest_stress; }
 };
 

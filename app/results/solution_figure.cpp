@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <optional>
 #include <ranges>
 
@@ -134,7 +135,14 @@ class SolutionFigure {
   /// psi plus the tilt, on one side of x.
   double height(const Rational& x, Side side) const {
     const double tilted = solution_.resultants.tilt ? value_of(solution_.resultants.tilt->value) * value_of(x) : 0;
-    return value_of(problem_.contact.indenter().profile(x, side)(x)) + tilted;
+    const Indenter& indenter = problem_.contact.indenter();
+    double waves = 0;
+    for (const Harmonic& term : indenter.harmonics()) {
+      const Rational periods = term.n * (x - indenter.origin_of_harmonics()) / *problem_.contact.body().period();
+      const double angle = 2 * std::numbers::pi * value_of(periods);
+      waves += value_of(term.cosine) * std::cos(angle) + value_of(term.sine) * std::sin(angle);
+    }
+    return value_of(indenter.profile(x, side)(x)) + waves + tilted;
   }
 
   Panel shapes(std::vector<Guide> guides) const {

@@ -42,10 +42,15 @@ Json with(Json json, const char* key, const Value& value, const More&... more) {
 
 Json solid(const Solid& body) { return {{"poisson", exact_text(body.poisson())}, {"young", exact_text(body.young())}}; }
 
-Json half_space(const Elasticity& elasticity) {
-  if (!elasticity.half_space()) return {{"gamma", exact_text(elasticity.gamma())}};
-  Json json = solid(*elasticity.half_space());
-  json["plane"] = elasticity.plane() == Plane::strain ? "strain" : "stress";
+Json half_space(const Elasticity& elasticity, const Body& body) {
+  Json json;
+  if (elasticity.half_space()) {
+    json = solid(*elasticity.half_space());
+    json["plane"] = elasticity.plane() == Plane::strain ? "strain" : "stress";
+  } else {
+    json["gamma"] = exact_text(elasticity.gamma());
+  }
+  if (body.period()) json["period"] = exact_text(*body.period());
   return json;
 }
 
@@ -66,6 +71,10 @@ Json indenter(const ContactProblem& problem, const std::optional<MeasuredProfile
     }
     if (measured->cutoff) json["filter"] = {{"kind", "gauss"}, {"cutoff", exact_text(*measured->cutoff)}};
     if (measured->interpolation == library::Interpolation::spline) json["interpolate"] = "spline";
+  } else if (!shape.harmonics().empty()) {
+    for (const Harmonic& term : shape.harmonics()) {
+      json["harmonics"].push_back({{"n", term.n}, {"cos", exact_text(term.cosine)}, {"sin", exact_text(term.sine)}});
+    }
   } else if (shape.pieces().size() == 1) {
     json["profile"] = to_string(shape.pieces().front().profile);
   } else {
@@ -86,7 +95,7 @@ Json problem_json(const Problem& read) {
   json["sliding"] = name_of(problem.sliding());
   if (!read.units.length.empty()) json["units"]["length"] = read.units.length;
   if (!read.units.force.empty()) json["units"]["force"] = read.units.force;
-  json["half_space"] = half_space(problem.elasticity());
+  json["half_space"] = half_space(problem.elasticity(), problem.body());
   json["friction"] = {{"values", numbers(problem.friction().values())}, {"jumps", numbers(problem.friction().jumps())}};
   if (read.friction_file) json["friction"]["samples"] = *read.friction_file;
   json["indenter"] = indenter(problem, read.measured);

@@ -93,6 +93,10 @@ SolutionText SweepTable::solved(std::size_t n) const {
       failed.reason = digits_on_cells;
       return failed;
     }
+    if (wanted_.solution.field.is_inside() && !problem.contact.body().is_half_plane()) {
+      failed.reason = "the field inside is that of the half-plane";
+      return failed;
+    }
     return Solver(wanted_).solve(problem);
   } catch (const std::bad_alloc&) {
     throw;

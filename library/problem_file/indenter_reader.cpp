@@ -13,21 +13,25 @@ class IndenterReader {
   IndenterReader(const ProblemReader& reader, const std::string& file) : reader_(reader), file_(file) {}
 
   ReadIndenter read() {
-    reader_.check_table("indenter", {"support", "profile", "pieces", "samples", "elastic"});
+    reader_.check_table("indenter", {"support", "profile", "pieces", "samples", "harmonics", "elastic"});
     check_one_shape();
     read_support();
     if (reader_.find("indenter.samples") != nullptr) return read_measured();
     if (const Value* profile = reader_.find("indenter.profile")) {
       return {made({{support().right, polynomial("indenter.profile", *profile)}}), std::nullopt};
     }
+    if (const Value* harmonics = reader_.find("indenter.harmonics")) {
+      const Indenter plane = made({{support().right, Polynomial::constant(0)}});
+      return {plane.with_harmonics(read_harmonics(*harmonics)), std::nullopt};
+    }
     return {made(read_pieces(*reader_.find("indenter.pieces"))), std::nullopt};
   }
 
  private:
   void check_one_shape() const {
-    const std::string rule = "an indenter has exactly one of profile, pieces, samples";
+    const std::string rule = "an indenter has exactly one of profile, pieces, samples, harmonics";
     std::string first;
-    for (const std::string key : {"profile", "pieces", "samples"}) {
+    for (const std::string key : {"profile", "pieces", "samples", "harmonics"}) {
       if (reader_.find("indenter." + key) == nullptr) continue;
       if (!first.empty())
         throw reader_.error("indenter." + key, "conflicting key", rule, fmt::format("{} and {}", first, key));
@@ -131,6 +135,26 @@ class IndenterReader {
                           "the last piece ends at the support's right end",
                           fmt::format("{}, not {}", to_string(result.back().to), to_string(support().right)));
     }
+    return result;
+  }
+
+  std::vector<Harmonic> read_harmonics(const Value& harmonics) const {
+    std::vector<Harmonic> result;
+    for (std::size_t k = 0;
+         k < reader_.list("indenter.harmonics", harmonics, "tables {n, cos, sin}", max_harmonics).size(); ++k) {
+      const std::string field = fmt::format("indenter.harmonics[{}]", k);
+      reader_.check_table(field, {"n", "cos", "sin"});
+      const Rational n = reader_.number(field + ".n", "a harmonic has a number");
+      if (n < 1 || n > max_harmonics || denominator(n) != 1) {
+        throw reader_.error(field + ".n", "number out of range",
+                            fmt::format("it is a whole number from 1 to {}", max_harmonics), to_string(n));
+      }
+      result.push_back({n.convert_to<int>(), reader_.number_if_any(field + ".cos").value_or(0),
+                        reader_.number_if_any(field + ".sin").value_or(0)});
+    }
+    if (result.empty())
+      throw reader_.error("indenter.harmonics", "no harmonic", fmt::format("there are 1 to {}", max_harmonics),
+                          "0 harmonics");
     return result;
   }
 

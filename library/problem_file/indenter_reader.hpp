@@ -9,7 +9,7 @@
 
 namespace steadyslide::library {
 
-inline constexpr std::size_t max_pieces = 50000;
+inline constexpr std::size_t max_pieces = 50000, max_harmonics = 100;
 
 /// The measured profile from which the pieces of a problem were made.
 struct MeasuredProfile {
@@ -28,7 +28,7 @@ struct ReadIndenter {
   std::optional<MeasuredProfile> measured;
 };
 
-/// Reads the support, and the profile as a polynomial, as pieces or as a measured trace. `file` is the problem file's
+/// Reads the support, and the profile as a polynomial, as pieces, as harmonics or as a measured trace. `file` is the problem file's
 /// name; a trace is looked for in its folder. Throws InvalidFile.
 ReadIndenter read_indenter(const ProblemReader& reader, const std::string& file);
 

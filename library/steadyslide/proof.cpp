@@ -22,6 +22,8 @@ Proof proof_on_cells(const ContactProblem& problem, const std::vector<double>& p
 }  // namespace
 
 Proof Solution::certify() const {
+  if (!contact_problem(state_->problem).body().is_half_plane())
+    return {false, "proofs are for the half-plane", "", state_->unresolved_gaps()};
   if (const auto pressures = state_->touching_pressures()) {
     return proof_on_cells(contact_problem(state_->problem), *pressures);
   }

@@ -114,6 +114,12 @@ void check_materials(const Problem& problem, const std::string& of, const std::s
   throw InvalidData(of, of + ": " + what, "it needs the half-space's poisson in place of gamma", "gamma");
 }
 
+void check_half_plane(const Problem& problem, const std::string& of) {
+  if (contact_problem(problem).body().is_half_plane()) return;
+  throw InvalidData(of, of + ": body without a field", "the field inside is that of the half-plane",
+                    "layers, a period or symbols");
+}
+
 template <class Ask>
 std::vector<double> one_by_one(const Solution& solution, std::span<const double> x, Ask ask) {
   check_finite("x", x);
@@ -258,15 +264,18 @@ std::vector<double> Solution::slope(std::span<const double> x) const {
 }
 
 Stress Solution::stress(const Exact& x, const Exact& z) const {
+  check_half_plane(problem(), "stress");
   return state_->stress(rational(x, "x"), depth_of(z, "z"));
 }
 
 Displacement Solution::displacement(const Exact& x, const Exact& z) const {
+  check_half_plane(problem(), "displacement");
   check_materials(problem(), "displacement", "no displacement below the surface");
   return state_->displacement(rational(x, "x"), depth_of(z, "z"));
 }
 
 LargestStress Solution::max_stress(const std::optional<Exact>& depth, const std::optional<Exact>& over) const {
+  check_half_plane(problem(), "max_stress");
   check_materials(problem(), "max_stress", "no von Mises stress");
   return state_->max_stress(depth ? std::optional(depth_of(*depth, "depth")) : std::nullopt,
                             over ? std::optional(window_of(*over)) : std::nullopt);
@@ -281,6 +290,7 @@ std::vector<Stress> Solution::stress(std::span<const double> x, std::span<const 
   check_finite("z", z);
   const auto wrong = std::ranges::find_if(z, [](double depth) { return depth < 0; });
   if (wrong != z.end()) depth_of(*wrong, fmt::format("z[{}]", wrong - z.begin()));
+  check_half_plane(problem(), "stress");
   return state_->stress(x, z);
 }
 

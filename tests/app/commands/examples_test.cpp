@@ -43,7 +43,7 @@ TEST_CASE("solved examples: effective friction is the sum of f times load share,
   for (const char* name : {"flat_punch.toml", "two_coatings_forward.toml", "two_coatings_backward.toml",
                            "three_jumps.toml", "parabola.toml", "parabola_rough_front.toml", "parabola_rough_rear.toml",
                            "nearly_incompressible.toml", "elastic_indenter.toml", "wedge.toml", "rounded_wedge.toml",
-                           "two_bumps.toml", "stepped_punch.toml", "tilting_punch.toml"}) {
+                           "two_bumps.toml", "stepped_punch.toml", "tilting_punch.toml", "striped_wave.toml"}) {
     CAPTURE(name);
     const Json json = solve_example(name);
     const Json &resultants = json["resultants"], &friction = json["problem"]["friction"]["values"];
