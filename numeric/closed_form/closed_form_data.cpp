@@ -126,10 +126,7 @@ std::variant<ClosedFormData<R>, std::string> closed_form_data(const ContactProbl
 
 template <Real R>
 Attempt<R> closed_form(const ContactProblem& problem) {
-  if (problem.body().period()) {
-    if (std::string reason = too_many_friction_pieces(problem, digits_of<R>); !reason.empty()) return {nullptr, reason};
-    return periodic_closed_form<R>(problem);
-  }
+  if (problem.body().period()) return periodic_closed_form<R>(problem);
   if (std::string reason = problem.body().beyond_half_plane(); !reason.empty()) return {nullptr, std::move(reason)};
   std::variant<ClosedFormData<R>, std::string> data = closed_form_data<R>(problem);
   if (auto* reason = std::get_if<std::string>(&data)) return {nullptr, std::move(*reason)};

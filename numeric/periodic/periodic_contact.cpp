@@ -215,6 +215,12 @@ Rational origin_of(const ContactProblem& problem) {
 template <Real R>
 std::variant<PeriodicContact<R>, std::string> periodic_contact(const ContactProblem& problem) {
   const Indenter& indenter = problem.indenter();
+  // Each value of the traction costs a product over all jumps.
+  constexpr std::size_t most = std::same_as<R, double> ? 200 : 50;
+  if (const std::size_t values = problem.friction().values().size(); values > most) {
+    return "too many values of friction for periodic contact; there are at most " + std::to_string(most) + "; " +
+           std::to_string(values) + " values";
+  }
   for (const Indenter::Piece& piece : indenter.pieces()) {
     if (piece.profile.degree() > 0 || piece.profile != indenter.pieces().front().profile)
       return std::string("with a period, a closed form is for a flat profile or for harmonics");

@@ -186,6 +186,13 @@ TEST_CASE_TEMPLATE("the load, the closed surface and the checked conditions", R,
   }
 }
 
+TEST_CASE("strong friction, with a power next to -1: the surface is closed") {
+  const Residuals<double> r = solved<double>(periodic(2, {20, 0.1_r}, {0.5_r}, flat(-0.7_r, 0.7_r)))->residuals();
+  CHECK(r.equation < 1e-13);
+  CHECK(r.load < 1e-13);
+  CHECK(r.penetration < 1e-12);
+}
+
 TEST_CASE("the tangential displacement: its slope is periodic, and its integral over a period is 0") {
   const ContactProblem punch = all_kinds()[1], waves = all_kinds()[2];
   for (const ContactProblem& problem : {punch, waves}) {
@@ -278,6 +285,12 @@ TEST_CASE("what has no closed form is refused") {
   const Indenter hill = flat(-1, 1).with_harmonics({{1, -0.1_r, 0}});
   CHECK(reason(plane.with_indenter(hill).with_load(10)) == zones);
   CHECK(reason(plane.with_indenter(hill).with_load(0.1_r)) == "");
+  std::vector<Rational> jumps;
+  for (int k = 1; k < 201; ++k) jumps.push_back(Rational(k, 201) - 0.5_r);
+  const ContactProblem stripes = periodic(2, std::vector<Rational>(201, 0.1_r), jumps, flat(-0.5_r, 0.5_r));
+  CHECK(reason(stripes) == "too many values of friction for periodic contact; there are at most 200; 201 values");
+  CHECK(closed_form<Real50>(stripes).reason ==
+        "too many values of friction for periodic contact; there are at most 50; 201 values");
   const Elasticity both(Solid(0.3_r, 1), Solid(0.2_r, 2));
   CHECK(reason(ContactProblem(both, FrictionProfile({0.5_r}), flat(-0.5_r, 0.5_r), 1, Sliding::plus_x, std::nullopt,
                               Body::periodic(2))) ==
