@@ -46,6 +46,13 @@ void for_each_part(const CellMesh& mesh, const std::vector<double>& ends, const 
   }
 }
 
+/// Returns the places of the friction jumps, in xi.
+std::vector<double> friction_ends(const ContactProblem& problem, const CellMesh& mesh) {
+  std::vector<double> ends;
+  for (const Rational& c : problem.friction().jumps()) ends.push_back(mesh.place(c));
+  return ends;
+}
+
 Rational middle_of(const Indenter& indenter) { return (indenter.left() + indenter.right()) / 2; }
 
 Rational height_at(const Indenter& indenter, const Rational& x) { return indenter.profile(x, Side::left)(x); }
@@ -85,14 +92,12 @@ std::vector<double> graded_edges(double left, double right, double smallest, dou
   return edges;
 }
 
-CellFriction cell_friction(const ContactProblem& problem, const CellMesh& mesh, FrictionRule rule) {
-  const FrictionProfile& friction = problem.friction();
-  std::vector<double> ends;
-  for (const Rational& c : friction.jumps()) ends.push_back(mesh.place(c));
+CellFriction cell_friction(const ContactProblem& problem, const CellMesh& mesh, FrictionRule rule, double shift) {
+  const std::vector<double> ends = friction_ends(problem, mesh);
   std::vector<double> s;
-  for (std::size_t k = 0; k < friction.values().size(); ++k) s.push_back(to_real<double>(problem.coupled_friction(k)));
+  for (std::size_t k = 0; k <= ends.size(); ++k) s.push_back(to_real<double>(problem.coupled_friction(k)) + shift);
 
-  CellFriction result{std::vector<double>(mesh.size()), std::vector<double>(mesh.size()), 1};
+  CellFriction result{std::vector<double>(mesh.size()), std::vector<double>(mesh.size()), 1, {}, shift};
   if (std::any_of(s.begin(), s.end(), [](double value) { return value < 0; })) result.sign = -1;
   if (!problem.body().is_half_plane()) result.signed_friction.resize(mesh.size());
   for_each_part(mesh, ends, [&](std::size_t i, std::size_t piece, const Interval& part) {
@@ -113,6 +118,15 @@ CellFriction cell_friction(const ContactProblem& problem, const CellMesh& mesh, 
     result.at_end[i] = 1;
     result.own[i] = std::abs(result.whole[i]);
   }
+  return result;
+}
+
+std::vector<double> means_of_pieces(const ContactProblem& problem, const CellMesh& mesh,
+                                    const std::vector<double>& values) {
+  std::vector<double> result(mesh.size());
+  for_each_part(mesh, friction_ends(problem, mesh), [&](std::size_t i, std::size_t piece, const Interval& part) {
+    result[i] += values[piece] * (part.right - part.left) / mesh.length(i);
+  });
   return result;
 }
 

@@ -65,13 +65,19 @@ struct CellFriction {
   int sign = 1;
   /// The cells whose equation applies at their right end (with sign < 0 at their left end); empty: none.
   std::vector<char> at_end = {};
+  /// The part of s that is no friction, the same everywhere. `whole` and `own` contain it.
+  double shift = 0;
   /// The mean of f, f > 0 sliding towards +x, otherwise f < 0; empty for the half-plane, where only s counts.
   std::vector<double> signed_friction = {};
 
   bool is_at_end(std::size_t i) const { return !at_end.empty() && at_end[i]; }
 };
+/// `shift` is added to s everywhere.
 CellFriction cell_friction(const ContactProblem& problem, const CellMesh& mesh,
-                           FrictionRule rule = FrictionRule::galerkin);
+                           FrictionRule rule = FrictionRule::galerkin, double shift = 0);
+/// Returns the mean over each cell of a function with one value for each friction value.
+std::vector<double> means_of_pieces(const ContactProblem& problem, const CellMesh& mesh,
+                                    const std::vector<double>& values);
 
 /// Returns psi(x) minus its value at the middle of the support. Only differences matter, and these are small near the
 /// contact.

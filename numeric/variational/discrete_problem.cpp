@@ -15,13 +15,13 @@ SurfaceKernel surface_kernel(const ContactProblem& problem, const Frame& frame) 
 }
 
 DiscreteProblem::DiscreteProblem(const ContactProblem& problem, CellMesh mesh, FrictionRule rule,
-                                 const SurfaceKernel& kernel)
-    : DiscreteProblem(problem, mesh, CellProfile(problem, mesh.frame()), rule, kernel) {}
+                                 const SurfaceKernel& kernel, double shift)
+    : DiscreteProblem(problem, mesh, CellProfile(problem, mesh.frame()), rule, kernel, shift) {}
 
 DiscreteProblem::DiscreteProblem(const ContactProblem& problem, CellMesh mesh, const CellProfile& profile,
-                                 FrictionRule rule, const SurfaceKernel& kernel)
+                                 FrictionRule rule, const SurfaceKernel& kernel, double shift)
     : mesh_(std::move(mesh)),
-      galerkin_operator_(mesh_, cell_friction(problem, mesh_, rule), kernel),
+      galerkin_operator_(mesh_, cell_friction(problem, mesh_, rule, shift), kernel),
       profile_(profile.means(mesh_)) {
   if (!is_galerkin()) {
     const CellFriction& friction = galerkin_operator_.friction();
@@ -34,12 +34,16 @@ DiscreteProblem::DiscreteProblem(const ContactProblem& problem, CellMesh mesh, c
   if (problem.load_at()) load_at_ = mesh_.place(*problem.load_at());
 }
 
-DiscreteProblem::DiscreteProblem(const DiscreteProblem& other, const std::vector<double>& lowered)
+DiscreteProblem::DiscreteProblem(const DiscreteProblem& other, const std::vector<double>& lowered,
+                                 const std::vector<double>& diagonal)
     : mesh_(other.mesh_),
-      galerkin_operator_(mesh_, other.galerkin_operator_.friction(), other.galerkin_operator_.kernel()),
+      galerkin_operator_(mesh_.is_uniform() ? other.galerkin_operator_.part(0, other.size())
+                                            : GalerkinOperator(mesh_, other.galerkin_operator_.friction(),
+                                                               other.galerkin_operator_.kernel())),
       profile_(other.profile_),
       load_at_(other.load_at_) {
   for (std::size_t i = 0; i < profile_.size(); ++i) profile_[i] -= lowered[i];
+  if (!diagonal.empty()) galerkin_operator_.add_diagonal(diagonal);
 }
 
 double DiscreteProblem::place(std::size_t i) const {

@@ -18,14 +18,16 @@ SurfaceKernel surface_kernel(const ContactProblem& problem, const Frame& frame);
 
 class DiscreteProblem {
  public:
-  /// The damped rule requires a uniform mesh.
+  /// The damped rule requires a uniform mesh. `shift` is added to s everywhere.
   DiscreteProblem(const ContactProblem& problem, CellMesh mesh, FrictionRule rule = FrictionRule::galerkin,
-                  const SurfaceKernel& kernel = {});
+                  const SurfaceKernel& kernel = {}, double shift = 0);
   /// Takes an existing profile in the mesh's frame, so that meshes can share it.
   DiscreteProblem(const ContactProblem& problem, CellMesh mesh, const CellProfile& profile, FrictionRule rule,
-                  const SurfaceKernel& kernel = {});
-  /// Takes another problem and lowers the profile of cell i by lowered[i].
-  DiscreteProblem(const DiscreteProblem& other, const std::vector<double>& lowered);
+                  const SurfaceKernel& kernel = {}, double shift = 0);
+  /// Takes another problem, lowers the profile of cell i by lowered[i], and adds diagonal[i] p_i to its displacement;
+  /// an empty diagonal adds nothing.
+  DiscreteProblem(const DiscreteProblem& other, const std::vector<double>& lowered,
+                  const std::vector<double>& diagonal = {});
 
   const CellMesh& mesh() const { return mesh_; }
   const GalerkinOperator& galerkin_operator() const { return galerkin_operator_; }

@@ -72,16 +72,16 @@ std::vector<std::complex<double>> GalerkinOperator::circulant(const std::vector<
   return {circle.modes().begin(), circle.modes().end()};
 }
 
-std::vector<std::complex<double>> GalerkinOperator::coupling_spectrum(bool at_end, double whole,
+std::vector<std::complex<double>> GalerkinOperator::coupling_spectrum(bool at_end, double s, double length,
                                                                       const Fourier& circle) const {
-  std::vector<std::complex<double>> result(circle.modes().size());
-  const auto strongest = std::max_element(friction_.whole.begin(), friction_.whole.end(),
-                                          [](double a, double b) { return std::abs(a) < std::abs(b); });
-  if (couplings_[0].entries.empty() || *strongest == 0) return result;
-  const double f =
-      whole * friction_.signed_friction[static_cast<std::size_t>(strongest - friction_.whole.begin())] / *strongest;
-  result = circulant(couplings_[at_end ? 1 : 0].entries, circle);
-  for (std::complex<double>& value : result) value *= f;
+  if (couplings_[0].entries.empty()) return std::vector<std::complex<double>>(circle.modes().size());
+  std::vector<std::complex<double>> result = circulant(couplings_[at_end ? 1 : 0].entries, circle);
+  // s = gamma f + shift, with the same gamma everywhere.
+  const std::vector<double>& f = friction_.signed_friction;
+  const auto i = static_cast<std::size_t>(
+      std::max_element(f.begin(), f.end(), [](double x, double y) { return std::abs(x) < std::abs(y); }) - f.begin());
+  const double gamma_f = friction_.whole[i] / length - friction_.shift;
+  for (std::complex<double>& value : result) value *= gamma_f == 0 ? 0 : (s - friction_.shift) * f[i] / gamma_f;
   return result;
 }
 
@@ -109,11 +109,19 @@ GalerkinOperator GalerkinOperator::part(std::size_t first, std::size_t count) co
     const auto of = [&](std::size_t kind) { return slice(kinds[kind].entries, size() - count, 2 * count - 1); };
     return Kinds{of(0), of(1)};
   };
-  return {entries(kernels_),
-          entries(couplings_),
-          {slice(friction_.whole, first, count), slice(friction_.own, first, count), friction_.sign,
-           slice(friction_.at_end, first, count), slice(friction_.signed_friction, first, count)},
-          kernel_};
+  GalerkinOperator result(
+      {entries(kernels_),
+       entries(couplings_),
+       {slice(friction_.whole, first, count), slice(friction_.own, first, count), friction_.sign,
+        slice(friction_.at_end, first, count), friction_.shift, slice(friction_.signed_friction, first, count)},
+       kernel_});
+  result.diagonal_ = slice(diagonal_, first, count);
+  return result;
+}
+
+void GalerkinOperator::add_diagonal(const std::vector<double>& diagonal) {
+  diagonal_.resize(size());
+  for (std::size_t i = 0; i < size(); ++i) diagonal_[i] += diagonal[i];
 }
 
 double GalerkinOperator::kernel_entry(std::size_t i, std::size_t j) const {
@@ -163,7 +171,7 @@ void GalerkinOperator::multiply(std::span<const double> p, std::span<double> res
   double before = 0;
   for (std::size_t k = 0; k < n; ++k) {
     const std::size_t i = friction_.sign > 0 ? k : n - 1 - k;
-    result[i] += before + friction_.own[i] * p[i];
+    result[i] += before + (friction_.own[i] + diagonal(i)) * p[i];
     before += friction_.sign * friction_.whole[i] * p[i];
   }
 }

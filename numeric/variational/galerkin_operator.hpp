@@ -27,12 +27,17 @@ class GalerkinOperator {
   /// Returns the operator for pressures on neighbouring cells, with the displacement on the same cells, up to a
   /// constant. The mesh must be uniform.
   GalerkinOperator part(std::size_t first, std::size_t count) const;
+  /// Adds diagonal[i] p_i to the displacement of each cell, diagonal[i] >= 0.
+  void add_diagonal(const std::vector<double>& diagonal);
 
   std::size_t size() const { return friction_.whole.size(); }
-  double entry(std::size_t i, std::size_t j) const { return kernel_entry(i, j) + friction_entry(i, j); }
-  /// Return the two parts of an entry: that of k, and that of the friction.
+  double entry(std::size_t i, std::size_t j) const {
+    return kernel_entry(i, j) + friction_entry(i, j) + (i == j ? diagonal(i) : 0);
+  }
+  /// Return the three parts of an entry: that of k, that of the friction, and what was added.
   double kernel_entry(std::size_t i, std::size_t j) const;
   double friction_entry(std::size_t i, std::size_t j) const;
+  double diagonal(std::size_t i) const { return diagonal_.empty() ? 0 : diagonal_[i]; }
   /// Computes B p, on a uniform mesh by two transforms (three if some equations apply at ends of cells, twice as many if
   /// j is not 0), otherwise by the whole matrix. Not thread-safe.
   void multiply(std::span<const double> p, std::span<double> result) const;
@@ -46,8 +51,9 @@ class GalerkinOperator {
   std::vector<std::complex<double>> spectrum(bool at_end, const Fourier& circle) const {
     return circulant(kernels_[at_end ? 1 : 0].entries, circle);
   }
-  /// Returns the same for f j, where f is that of a cell with this int s.
-  std::vector<std::complex<double>> coupling_spectrum(bool at_end, double whole, const Fourier& circle) const;
+  /// Returns the same for f j, where f is that of cells with this s; `length` is that of a cell.
+  std::vector<std::complex<double>> coupling_spectrum(bool at_end, double s, double length,
+                                                      const Fourier& circle) const;
 
  private:
   /// A kernel on equal cells: entries by i - j, from 1 - size() on, and the spectrum.
@@ -68,6 +74,7 @@ class GalerkinOperator {
 
   SurfaceKernel kernel_;
   CellFriction friction_;
+  std::vector<double> diagonal_;  ///< empty: nothing was added
   // For a uniform mesh: means over cells, and values at their ends.
   std::array<Convolution, 2> kernels_, couplings_;
   std::optional<Fourier> fourier_;

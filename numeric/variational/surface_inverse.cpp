@@ -5,27 +5,15 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace steadyslide::numeric::variational {
 namespace {
 
 /// Each kind of cells costs a transform; close values of s share one kind.
 constexpr std::size_t most_kinds = 4;
-
-/// Returns representative values: the values that occur, or the means of most_kinds groups of them by angle.
-std::vector<double> representatives(std::vector<double> s) {
-  s.erase(std::unique(s.begin(), s.end()), s.end());  // removes equal neighbours, so that few are left to sort
-  std::sort(s.begin(), s.end());
-  s.erase(std::unique(s.begin(), s.end()), s.end());
-  if (s.size() <= most_kinds) return s;
-  const double low = std::atan(s.front());
-  const double width = (std::atan(s.back()) - low) / most_kinds;
-  std::vector<double> result;
-  for (std::size_t k = 0; k < most_kinds; ++k) {
-    result.push_back(std::tan(low + (static_cast<double>(k) + 0.5) * width));
-  }
-  return result;
-}
+/// With a diagonal, a kind in place of another one costs several products.
+constexpr std::size_t most_kinds_with_diagonal = 8;
 
 /// Returns one of a few fast lengths, four in an octave, so that plans and symbols are shared.
 std::size_t circle_length(std::size_t cells) {
@@ -65,34 +53,66 @@ bool is_near(std::size_t a, std::size_t b, std::size_t length) {
 
 }  // namespace
 
+std::vector<SurfaceInverse::Kind> SurfaceInverse::representatives(std::vector<Kind> cells) {
+  const std::vector<Kind> all = cells;
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());  // so that few are left to sort
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  const bool has_diagonal =
+      std::any_of(cells.begin(), cells.end(), [](const Kind& cell) { return cell.diagonal != 0; });
+  if (cells.size() <= (has_diagonal ? most_kinds_with_diagonal : most_kinds)) return cells;
+  const double low = std::atan(cells.front().s);
+  const double width = (std::atan(cells.back().s) - low) / most_kinds;
+  std::vector<double> sums(most_kinds), counts(most_kinds);
+  for (const Kind& cell : all) {
+    const double group = width > 0 ? (std::atan(cell.s) - low) / width : 0;
+    const std::size_t k = std::min(static_cast<std::size_t>(group), most_kinds - 1);
+    sums[k] += cell.diagonal;
+    ++counts[k];
+  }
+  std::vector<Kind> result;
+  for (std::size_t k = 0; k < most_kinds; ++k) {
+    const double diagonal = counts[k] > 0 ? sums[k] / counts[k] : 0;
+    result.push_back({std::tan(low + (static_cast<double>(k) + 0.5) * width), diagonal});
+  }
+  return result;
+}
+
 SurfaceInverse::SurfaceInverse(const GalerkinOperator& influence, double length)
     : influence_(influence), length_(length), kind_of_(influence.size()), pressures_(influence.size()) {
-  std::vector<double> s = influence.friction().whole;
-  for (double& value : s) value /= length;
-  values_ = representatives(s);
-  for (std::size_t i = 0; i < s.size(); ++i) {
-    if (i > 0 && s[i] == s[i - 1]) {
+  std::vector<Kind> cells;
+  for (std::size_t i = 0; i < influence.size(); ++i) {
+    cells.push_back({influence.friction().whole[i] / length, influence.diagonal(i)});
+  }
+  values_ = representatives(cells);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (i > 0 && cells[i] == cells[i - 1]) {
       kind_of_[i] = kind_of_[i - 1];
       continue;
     }
-    const auto nearest = std::min_element(values_.begin(), values_.end(), [&](double a, double b) {
-      return std::abs(std::atan(a) - std::atan(s[i])) < std::abs(std::atan(b) - std::atan(s[i]));
-    });
+    const auto distance = [&](const Kind& kind) {
+      return std::pair(std::abs(std::atan(kind.s) - std::atan(cells[i].s)),
+                       std::abs(kind.diagonal - cells[i].diagonal));
+    };
+    const auto nearest = std::min_element(values_.begin(), values_.end(),
+                                          [&](const Kind& a, const Kind& b) { return distance(a) < distance(b); });
     kind_of_[i] = static_cast<unsigned char>(nearest - values_.begin());
   }
 }
 
-std::vector<std::complex<double>> SurfaceInverse::reciprocal(double s, const Fourier& fourier) const {
+std::vector<std::complex<double>> SurfaceInverse::reciprocal(const Kind& kind, const Fourier& fourier) const {
+  const double s = kind.s;
   const CellFriction& friction = influence_.friction();
   const bool at_end = !friction.at_end.empty() && std::abs(s) > strong_friction;
   const double rest = at_end ? friction.sign * 0.5 : 0;
   std::vector<std::complex<double>> result = influence_.spectrum(at_end, fourier);
-  const std::vector<std::complex<double>> coupling = influence_.coupling_spectrum(at_end, s * length_, fourier);
+  const std::vector<std::complex<double>> coupling = influence_.coupling_spectrum(at_end, s, length_, fourier);
   const auto n = static_cast<double>(fourier.size());
   for (std::size_t k = 0; k < result.size(); ++k) {
     const double cot = k == 0 ? 0 : 1 / std::tan(std::numbers::pi * static_cast<double>(k) / n);
     // The sum over the cells before plus half of the cell itself has the symbol -i h/2 cot(theta/2).
-    const std::complex<double> symbol = result[k] + coupling[k] + s * length_ * std::complex(rest, -cot / 2);
+    const std::complex<double> symbol =
+        result[k] + coupling[k] + kind.diagonal + s * length_ * std::complex(rest, -cot / 2);
     result[k] = std::conj(symbol) / std::norm(symbol);
   }
   return result;

@@ -1,10 +1,11 @@
 #pragma once
 // An approximate inverse of the operator B on cells of a uniform mesh, by Fourier transforms. On an infinite line with
-// one friction value, B is a convolution and the reciprocal of its symbol is exact. Here each cell uses the reciprocal
-// for its own s. The kernel of the inverse decreases like the square of the distance. So the line may be closed to a
+// one friction value, B is a convolution and the reciprocal of its symbol is exact, also with a constant diagonal. Here
+// each cell uses the reciprocal for its own s and diagonal. The kernel of the inverse decreases like the square of the distance. So the line may be closed to a
 // circle soon behind the cells, and separate zones are inverted separately, by transforms not longer than the zone.
 
 #include <Eigen/Core>
+#include <compare>
 #include <functional>
 #include <map>
 #include <span>
@@ -44,11 +45,19 @@ class SurfaceInverse {
     Circle* circle;
     std::vector<unsigned char> kinds;  ///< the kinds of its cells
   };
-  std::vector<std::complex<double>> reciprocal(double s, const Fourier& fourier) const;
+  /// The data of a cell on which the symbol depends.
+  struct Kind {
+    double s;
+    double diagonal;
+    auto operator<=>(const Kind&) const = default;
+  };
+  std::vector<std::complex<double>> reciprocal(const Kind& kind, const Fourier& fourier) const;
+  /// Returns the kinds that occur; if there are too many, groups of them by s with the mean diagonal.
+  static std::vector<Kind> representatives(std::vector<Kind> cells);
 
   const GalerkinOperator& influence_;
   double length_;
-  std::vector<double> values_;          ///< values of s, one for each kind
+  std::vector<Kind> values_;            ///< the kinds, by number
   std::vector<unsigned char> kind_of_;  ///< for each cell: cells with about the same s have the same kind
   std::map<std::size_t, Circle> circles_;
   std::vector<Zone> zones_;
