@@ -24,6 +24,7 @@ extern const std::string_view help_solve;
 extern const std::string_view help_solve_manual;  ///< in the manual page alone
 extern const std::string_view help_design;
 extern const std::string_view help_sweep;
+extern const std::string_view help_wear;
 extern const std::string_view help_verify;
 extern const std::string_view help_figures;
 extern const std::string_view help_report;

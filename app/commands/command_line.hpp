@@ -110,6 +110,7 @@ Command table_command();
 Command solve_command();
 Command design_command();
 Command sweep_command();
+Command wear_command();
 Command verify_command();
 Command figures_command();
 Command report_command();

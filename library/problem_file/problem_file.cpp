@@ -6,6 +6,7 @@
 #include "library/problem_file/input_file.hpp"
 #include "library/problem_file/problem_reader.hpp"
 #include "library/problem_file/sample_file.hpp"
+#include "library/problem_file/wear_reader.hpp"
 
 namespace steadyslide::library {
 namespace {
@@ -72,7 +73,7 @@ Units read_units(const ProblemReader& reader, const std::string& x_unit) {
 /// `whole`: load and friction are required. `same_indenter`: null, or a problem with the same [indenter].
 Punch read(const Value& root, const std::string& name, bool whole, const Problem* same_indenter = nullptr) {
   const ProblemReader reader(root, name);
-  reader.check_keys("", {"load", "load_at", "sliding", "units", "half_space", "friction", "indenter"});
+  reader.check_keys("", {"load", "load_at", "sliding", "units", "half_space", "friction", "indenter", "wear"});
   const bool has_load = whole || reader.find("load") != nullptr;
   const bool has_friction = whole || reader.find("friction") != nullptr;
   const Rational load = has_load ? reader.number("load", "a problem has a load") : Rational(1);
@@ -88,7 +89,9 @@ Punch read(const Value& root, const std::string& name, bool whole, const Problem
   try {
     ContactProblem contact(std::move(body.elasticity), std::move(friction.profile), std::move(indenter.shape), load,
                            sliding, load_at, std::move(body.body));
-    return {{std::move(contact), name, std::move(indenter.measured), std::move(friction.file), std::move(units)},
+    std::optional<Wear> wear = read_wear(reader, contact);
+    return {{std::move(contact), name, std::move(indenter.measured), std::move(friction.file), std::move(units),
+             std::move(wear)},
             has_friction};
   } catch (const InvalidData& invalid) {
     // The model speaks of pieces; a file with samples has none.

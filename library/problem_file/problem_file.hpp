@@ -10,6 +10,7 @@
 #include "library/problem_file/friction_table.hpp"
 #include "library/problem_file/indenter_reader.hpp"
 #include "model/contact_problem.hpp"
+#include "model/wear.hpp"
 
 namespace steadyslide::library {
 
@@ -25,6 +26,7 @@ struct Problem {
   std::optional<MeasuredProfile> measured;
   std::optional<std::string> friction_file{};  ///< the friction table, as the problem file writes its name
   Units units{};  ///< without `units.length`, the length is that of `indenter.samples.x_unit`
+  std::optional<Wear> wear{};
 };
 
 /// Reads a trace and a friction table, too, if the file has samples; their paths are relative to `name`. Throws InvalidFile.

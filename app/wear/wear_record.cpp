@@ -1,0 +1,194 @@
+#include "app/wear/wear_record.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "app/results/rows.hpp"
+#include "library/text/number_format.hpp"
+
+namespace steadyslide::app {
+namespace {
+
+using numeric::wear::WearProcess;
+using numeric::wear::WearRow;
+
+constexpr int shown_digits = 10;
+constexpr std::size_t most_parts = 4096;
+
+std::string number(double value, int digits = shown_digits) { return full_number(value, digits); }
+std::string number_if_any(const std::optional<double>& value, int digits = shown_digits) {
+  return value ? number(*value, digits) : "";
+}
+
+std::size_t cells_in_part(std::size_t cells) { return (cells + most_parts - 1) / most_parts; }
+
+WornProfile profile_of(const WearProcess& process, const numeric::wear::WearState& state) {
+  return {state.distance, means_over_parts(process.pressures(state)), means_over_parts(process.depths(state))};
+}
+
+/// Writes the parts of a record, one after the other.
+class Writer {
+ public:
+  explicit Writer(std::string title) : bytes_(std::move(title)) {}
+  void operator()(const double& value) { raw(&value, sizeof value); }
+  void operator()(const std::uint64_t& value) { raw(&value, sizeof value); }
+  template <class List>
+  void list(const List& values) {
+    (*this)(std::uint64_t{values.size()});
+    raw(values.data(), values.size() * sizeof(values[0]));
+  }
+  std::string bytes_;
+
+ private:
+  void raw(const void* from, std::size_t size) { bytes_.append(static_cast<const char*>(from), size); }
+};
+
+/// Reads them.
+class Reader {
+ public:
+  explicit Reader(std::string_view rest) : rest_(rest) {}
+  void operator()(double& value) { raw(&value, sizeof value); }
+  void operator()(std::uint64_t& value) { raw(&value, sizeof value); }
+  template <class List>
+  void list(List& values) {
+    std::uint64_t size = 0;
+    (*this)(size);
+    whole_ = whole_ && size <= rest_.size() / sizeof(values[0]);
+    values.resize(whole_ ? size : 0);
+    raw(values.data(), values.size() * sizeof(values[0]));
+  }
+  bool is_whole() const { return whole_ && rest_.empty(); }
+
+ private:
+  void raw(void* to, std::size_t size) {
+    whole_ = whole_ && size <= rest_.size();
+    if (!whole_ || size == 0) return;
+    std::memcpy(to, rest_.data(), size);
+    rest_.remove_prefix(size);
+  }
+  std::string_view rest_;
+  bool whole_ = true;
+};
+
+/// Calls visit for every part of a record, in the order of the file. `count`: the numbers of steps and profiles.
+template <class Record, class Visit>
+void for_each_part(Record& record, std::uint64_t (&count)[2], Visit& visit) {
+  visit.list(record.rows);
+  for (auto& one : count) visit(one);
+  visit(record.step_error);
+  visit(record.state.distance);
+  visit(record.state.next_step);
+  visit.list(record.state.depth);
+  visit.list(record.state.contact.pressure);
+  visit(record.state.contact.approach);
+  visit(record.state.contact.tilt);
+}
+
+}  // namespace
+
+std::vector<double> means_over_parts(const std::vector<double>& cells) {
+  const std::size_t step = cells_in_part(cells.size());
+  std::vector<double> result;
+  for (std::size_t i = 0; i < cells.size(); i += step) {
+    const std::size_t end = std::min(i + step, cells.size());
+    double sum = 0;
+    for (std::size_t k = i; k < end; ++k) sum += cells[k];
+    result.push_back(sum / static_cast<double>(end - i));
+  }
+  return result;
+}
+
+std::string wear_header() {
+  return "distance,left,right,zones,effective_friction,centre_of_pressure,tilt,largest_pressure,wear_rate,wear_volume,"
+         "from_run_in,step_error,failed_condition\n";
+}
+
+std::string wear_line(const WearRow& row) {
+  const std::vector<std::string> cells{number(row.distance),
+                                       number(row.left),
+                                       number(row.right),
+                                       fmt::format("{}", row.zones),
+                                       number(row.effective_friction),
+                                       number(row.centre_of_pressure),
+                                       number_if_any(row.tilt),
+                                       number(row.largest_pressure),
+                                       number(row.wear_rate),
+                                       number(row.wear_volume),
+                                       number_if_any(row.from_run_in, 4),
+                                       number(row.step_error, 2),
+                                       csv_field(row.failed_condition)};
+  return fmt::format("{}\n", fmt::join(cells, ","));
+}
+
+void WearRecord::add(const numeric::wear::WearRun& run) {
+  rows += wear_line(run.row());
+  state = run.state();
+  step_error = run.row().step_error;
+  if (profiles.empty() || (state.distance > 0 && state.distance >= 2 * profiles.back().distance)) {
+    profiles.push_back(profile_of(run.process(), state));
+  }
+}
+
+void WearRecord::add_last_profile(const WearProcess& process) {
+  if (profiles.back().distance < state.distance) profiles.push_back(profile_of(process, state));
+}
+
+std::vector<double> profile_edges(const WearProcess& process) {
+  const std::vector<double> cells = process.edges();
+  const std::size_t step = cells_in_part(cells.size() - 1);
+  std::vector<double> result;
+  for (std::size_t i = 0; i + 1 < cells.size(); i += step) result.push_back(cells[i]);
+  result.push_back(cells.back());
+  return result;
+}
+
+std::string profile_table(const WearRecord& record, const std::vector<double>& edges) {
+  std::string table = "distance,x,pressure,depth\n";
+  for (const auto& [distance, pressure, depth] : record.profiles) {
+    for (std::size_t i = 0; i < pressure.size(); ++i) {
+      if (pressure[i] == 0 && depth[i] == 0) continue;
+      table += fmt::format("{},{},{},{}\n", number(distance), number((edges[i] + edges[i + 1]) / 2),
+                           number(pressure[i]), number(depth[i]));
+    }
+  }
+  return table;
+}
+
+std::string bytes_of(const WearRecord& record, const std::string& title) {
+  Writer write(title);
+  std::uint64_t count[2] = {static_cast<std::uint64_t>(record.steps), record.profiles.size()};
+  for_each_part(record, count, write);
+  for (const auto& [distance, pressure, depth] : record.profiles) {
+    write(distance);
+    write.list(pressure);
+    write.list(depth);
+  }
+  return std::move(write.bytes_);
+}
+
+WearRecord record_of(const std::string& bytes, const std::string& title, const std::string& file) {
+  if (!bytes.starts_with(title)) {
+    throw Failure(ExitCode::bad_input,
+                  fmt::format("{}:1: another run; --resume goes on with the same problem, options and version; {}",
+                              file, excerpt(std::string_view(bytes).substr(0, bytes.find('\n')))));
+  }
+  WearRecord record;
+  Reader read(std::string_view(bytes).substr(title.size()));
+  std::uint64_t count[2] = {0, 0};
+  for_each_part(record, count, read);
+  record.steps = static_cast<int>(count[0]);
+  for (std::uint64_t k = 0; k < count[1] && record.profiles.size() < bytes.size(); ++k) {
+    WornProfile& profile = record.profiles.emplace_back();
+    read(profile.distance);
+    read.list(profile.pressure);
+    read.list(profile.depth);
+  }
+  if (read.is_whole()) return record;
+  throw Failure(ExitCode::bad_input,
+                fmt::format("{}:2: not whole; remove it and start again; {} bytes", file, bytes.size()));
+}
+
+}  // namespace steadyslide::app
