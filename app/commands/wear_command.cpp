@@ -28,37 +28,38 @@ struct WearOptions {
   bool resume;
 };
 
-/// Returns a number in ]0, most].
-double positive(const Given& given, const std::string& option, const Rational& most, const char* rule) {
-  const std::string text = given.text(option);
-  const Rational value = parse_list(option, text, 1)[0];
-  const auto real = value.convert_to<double>();
-  if (value > 0 && value <= most && real > 0) return real;
-  throw bad_command_line(option + ": out of range", rule, text);
+/// Calls `act`. InvalidData that names an option becomes a Failure of the command line.
+template <class Act>
+void as_option(Act act) {
+  try {
+    act();
+  } catch (const InvalidData& invalid) {
+    if (invalid.field().empty()) throw;
+    throw bad_command_line("--" + invalid.field() + ": " + invalid.what());
+  }
+}
+
+/// Returns the number of an option; `otherwise` without it.
+double number(const Given& given, const std::string& option, double otherwise) {
+  if (!given.has(option)) return otherwise;
+  return parse_list(option, given.text(option), 1)[0].convert_to<double>();
 }
 
 WearOptions read_options(const Given& given) {
   WearOptions options;
   if (!given.has("--distance"))
     throw bad_command_line("--distance: missing", "a run of wear has a sliding distance", "absent");
+  const bool has_steps = given.has("--steps") && given.text("--steps") != "auto";
+  if (has_steps && given.has("--accuracy"))
+    throw bad_command_line("--steps: conflicting option", "the accuracy chooses the steps", "--accuracy");
   auto& wanted = options.wanted;
-  wanted.distance =
-      positive(given, "--distance", parse_rational("1e300"), "a sliding distance is positive, at most 1e300");
-  if (given.has("--steps") && given.text("--steps") != "auto") {
-    wanted.steps = *given.count("--steps", 1, 1000000);
-    if (given.has("--accuracy")) {
-      throw bad_command_line("--steps: conflicting option", "the accuracy chooses the steps", "--accuracy");
-    }
-  }
-  if (given.has("--accuracy"))
-    wanted.accuracy = positive(given, "--accuracy", 1, "an accuracy is at least 1e-6, and at most 1");
-  if (wanted.accuracy < 1e-6) {
-    throw bad_command_line("--accuracy: out of range", "an accuracy is at least 1e-6, and at most 1",
-                           given.text("--accuracy"));
-  }
-  if (given.has("--until")) wanted.until = positive(given, "--until", 1, "a part of the load is in ]0, 1]");
+  wanted.distance = number(given, "--distance", 0);
+  if (has_steps) wanted.steps = *given.count("--steps", 1, 1000000);
+  wanted.accuracy = number(given, "--accuracy", wanted.accuracy);
+  wanted.until = number(given, "--until", 0);
   if (const auto cells = given.count("--cells", numeric::fewest_cells, numeric::most_cells))
     wanted.cells = static_cast<std::size_t>(*cells);
+  as_option([&] { check(wanted); });
   options.output = given.name("--output", "file");
   options.profiles = given.name("--profiles", "file");
   options.plot = given.name("--plot", "file");
@@ -135,9 +136,8 @@ ExitCode run_wear(const Given& given) {
   if (options.plot) plot.emplace(options.plot);
   std::optional<WearRun> run;
   try {
-    run.emplace(problem.contact, *problem.wear, options.wanted);
+    as_option([&] { run.emplace(problem.contact, *problem.wear, options.wanted); });
   } catch (const InvalidData& invalid) {
-    if (invalid.field() == "until") throw bad_command_line(std::string("--until: ") + invalid.what());
     throw Failure(ExitCode::bad_input, fmt::format("{}: {}", problem.file, invalid.what()));
   }
 

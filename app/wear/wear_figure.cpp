@@ -19,13 +19,18 @@ constexpr double drawn_over_mean = 4;
 constexpr int run_in_style = 3;
 constexpr std::array curve_styles{2, 4, 5, 7, 1};
 
-/// Returns the first profile, the last one, and others between them at even places of the list.
+double largest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
+
+/// Returns the profile before any wear, the last one, and others between them: evenly from the first one that has a
+/// hundredth of the last depth.
 std::vector<const WornProfile*> chosen(const std::vector<WornProfile>& all) {
-  std::vector<const WornProfile*> result;
-  const std::size_t count = std::min(most_curves, all.size());
-  for (std::size_t k = 0; k < count; ++k) {
-    result.push_back(&all[count == 1 ? 0 : k * (all.size() - 1) / (count - 1)]);
-  }
+  const double seen = largest(all.back().depth) / 100;
+  std::vector<const WornProfile*> result{&all.front()};
+  const auto first =
+      std::ranges::find_if(all, [&](const WornProfile& one) { return one.distance > 0 && largest(one.depth) >= seen; });
+  const auto rest = static_cast<std::size_t>(all.end() - first);
+  const std::size_t count = std::min(most_curves - 1, rest);
+  for (std::size_t k = 1; k <= count; ++k) result.push_back(&*(first + static_cast<long>(k * rest / count) - 1));
   return result;
 }
 
@@ -62,8 +67,6 @@ std::vector<Point> curve(const std::vector<double>& values, const std::vector<do
     points.push_back({(edges[i] + edges[i + 1]) / 2, values[i]});
   return points;
 }
-
-double largest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
 
 }  // namespace
 

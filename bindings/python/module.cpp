@@ -140,6 +140,33 @@ std::vector<std::string> texts_of(const std::vector<ss::Exact>& numbers) {
   return texts;
 }
 
+using RowAndProfiles = std::function<void(const ss::WearRow&, const std::vector<double>&, const std::vector<double>&)>;
+
+py::tuple row_of(const ss::WearRow& r) {
+  return py::make_tuple(r.distance, r.left, r.right, r.zones, r.effective_friction, r.centre_of_pressure, r.tilt,
+                        r.largest_pressure, r.wear_rate, r.wear_volume, r.from_run_in, r.step_error);
+}
+
+/// Returns the rows and the arrays of a run of wear. `callback` is None, or called after each step.
+py::tuple wear(const ss::Problem& problem, const std::string& distance, std::optional<int> steps,
+               std::optional<double> accuracy, std::optional<double> until, std::optional<int> cells,
+               const py::object& callback) {
+  RowAndProfiles after_step;
+  if (!callback.is_none()) {
+    after_step = [&](const ss::WearRow& row, const std::vector<double>& pressure, const std::vector<double>& depth) {
+      const py::gil_scoped_acquire held;
+      callback(row_of(row), array_of(pressure), array_of(depth));
+    };
+  }
+  const ss::WearHistory history = released([&] {
+    return ss::wear(problem, {distance, steps, accuracy, until, cells}, after_step);
+  });
+  py::list rows;
+  for (const ss::WearRow& row : history.rows) rows.append(row_of(row));
+  return py::make_tuple(rows, array_of(history.edges), array_of(history.pressure), array_of(history.depth),
+                        array_of(history.run_in_pressure), history.failed_condition);
+}
+
 py::bytes picture_of(const ss::Solution& solution, const std::string& kind) {
   const ss::Solution::State& state = data_of(solution);
   return released([&] {
@@ -228,4 +255,5 @@ PYBIND11_MODULE(_core, m) {
       .def("certify", &ss::Solution::certify, Released());
   for (const OfPlaces& of : of_places) define(solution, of);
   m.def("solve", solve, Released());
+  m.def("wear", &wear);
 }

@@ -72,6 +72,11 @@ std::string problem_text(const ProblemData& data) {
     text += fmt::format("elastic = {{poisson = {}, young = {}}}\n", toml_text(data.elastic->poisson),
                         toml_text(data.elastic->young));
   }
+  if (data.wear) {
+    text += "[wear]\n";
+    add(text, "coefficients", data.wear->coefficients);
+    add(text, "body", data.wear->body);
+  }
   return text;
 }
 

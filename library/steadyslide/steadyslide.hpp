@@ -18,6 +18,7 @@
 /// Threads: any number of threads may copy and read every class here at the same time, and may call all functions.
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -29,6 +30,7 @@
 
 #include "library/answer/quantities.hpp"
 #include "model/invalid_data.hpp"
+#include "numeric/wear/wear_row.hpp"
 
 #define STEADYSLIDE_API __attribute__((visibility("default")))
 
@@ -79,6 +81,12 @@ struct ProfilePiece {
   std::string profile;
 };
 
+/// Archard's coefficients of wear: depth per pressure and sliding distance.
+struct WearData {
+  std::vector<Exact> coefficients;  ///< of the indenter, one for each friction value, or one for all
+  std::optional<Exact> body{};      ///< of the body, which is passed once
+};
+
 /// The data of a problem file, with its defaults (docs/problem-file.md).
 struct ProblemData {
   Exact load;                      ///< P > 0
@@ -95,6 +103,7 @@ struct ProblemData {
   std::vector<ProfilePiece> pieces{};
   std::optional<std::string> samples{};  ///< the file of a measured profile
   std::optional<ElasticBody> elastic{};  ///< the materials of the indenter
+  std::optional<WearData> wear{};
 };
 
 /// An exact contact problem. It cannot be changed.
@@ -353,5 +362,31 @@ STEADYSLIDE_API std::vector<PossiblePoint> exponents(const Problem& problem, int
 
 /// Returns the derivation of the exponents, step by step, and of the closed form if there is one.
 STEADYSLIDE_API std::string derivation(const Problem& problem);
+
+struct WearOptions {
+  Exact distance;                    ///< the sliding distance
+  std::optional<int> steps{};        ///< so many equal steps; absent: automatic steps
+  std::optional<double> accuracy{};  ///< the largest error of an automatic step, 1e-6 to 1; default 1e-3
+  std::optional<double> until{};     ///< ends earlier if so small a part of the load differs from the run-in pressure
+  std::optional<int> cells{};        ///< cells on the support; default 4096
+};
+
+/// A contact after a sliding distance: distance, left, right, zones, effective_friction, ... (docs/wear.md).
+using WearRow = numeric::wear::WearRow;
+
+struct WearHistory {
+  std::vector<WearRow> rows;            ///< first that before any wear
+  std::vector<double> edges;            ///< the ends of the cells
+  std::vector<double> pressure;         ///< of each cell, at the end
+  std::vector<double> depth;            ///< worn off each cell, at the end
+  std::vector<double> run_in_pressure;  ///< with which nothing changes any more; empty if it is not known
+  std::string failed_condition;         ///< the reason why the run ended early; empty if it did not fail
+};
+
+/// Wears the indenter of a problem with `wear`. Calls after_step(row, pressure, depth) first for the contact before any
+/// wear, then after each step; it may throw to stop. Throws InvalidData if an option is out of range.
+STEADYSLIDE_API WearHistory wear(const Problem& problem, const WearOptions& options,
+                                 const std::function<void(const WearRow&, const std::vector<double>& pressure,
+                                                          const std::vector<double>& depth)>& after_step = {});
 
 }  // namespace steadyslide

@@ -14,6 +14,7 @@
 #include "model/wear.hpp"
 #include "numeric/variational/discrete_problem.hpp"
 #include "numeric/variational/variational_inequality.hpp"
+#include "numeric/wear/wear_row.hpp"
 
 namespace steadyslide::numeric::wear {
 
@@ -23,22 +24,6 @@ struct WearState {
   double next_step = 0;                ///< for automatic steps
   std::vector<double> depth;           ///< w of each cell, in c P
   variational::DiscreteState contact;  ///< p in P/unit
-};
-
-/// The quantities of a state in the user's units.
-struct WearRow {
-  double distance = 0;
-  double left = 0, right = 0;  ///< the ends of the contact
-  std::size_t zones = 0;
-  double effective_friction = 0;
-  double centre_of_pressure = 0;
-  std::optional<double> tilt;         ///< absent if the attitude is given
-  double largest_pressure = 0;        ///< the largest mean over a cell
-  double wear_rate = 0;               ///< int k p dx
-  double wear_volume = 0;             ///< int w dx
-  std::optional<double> from_run_in;  ///< int |p - p_run_in| dx/P; absent if p_run_in is not known
-  double step_error = 0;              ///< estimated error of the step in w, int |error| dx over the wear volume
-  std::string failed_condition;       ///< the reason why the next step is not solved; empty if it is
 };
 
 class WearProcess {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "model/invalid_data.hpp"
 
@@ -14,10 +15,32 @@ double step_factor(double error, double accuracy) {
   return error > 0 ? std::clamp(margin * std::sqrt(accuracy / error), least, most) : most;
 }
 
+void check_range(const char* field, bool fits, const char* rule, double value) {
+  if (fits) return;
+  std::ostringstream text;
+  text << value;
+  throw InvalidData(field, "out of range", rule, text.str());
+}
+
+const WearWanted& checked(const WearWanted& wanted) {
+  check(wanted);
+  return wanted;
+}
+
 }  // namespace
 
+void check(const WearWanted& wanted) {
+  const auto& [distance, steps, accuracy, cells, until] = wanted;
+  check_range("distance", distance > 0 && distance <= 1e300, "a sliding distance is positive, at most 1e300", distance);
+  check_range("steps", steps >= 0 && steps <= 1000000, "there are 1 to 1000000 steps", steps);
+  check_range("accuracy", accuracy >= 1e-6 && accuracy <= 1, "the error of a step is 1e-6 to 1", accuracy);
+  check_range("until", until >= 0 && until < 1, "a part of the load is in [0, 1[", until);
+  check_range("cells", cells >= fewest_cells && cells <= most_cells, "there are 16 to 4194304 cells",
+              static_cast<double>(cells));
+}
+
 WearRun::WearRun(const ContactProblem& problem, const Wear& wear, const WearWanted& wanted)
-    : wanted_(wanted),
+    : wanted_(checked(wanted)),
       process_(problem, wear, wanted.cells),
       state_(process_.start()),
       row_(process_.row(state_, 0)),

@@ -10,15 +10,18 @@ namespace steadyslide::numeric::wear {
 
 struct WearWanted {
   double distance = 0;       ///< > 0
-  int steps = 0;             ///< so many equal steps; 0: automatic steps
-  double accuracy = 1e-3;    ///< largest step_error of an automatic step
+  int steps = 0;             ///< so many equal steps, at most 1000000; 0: automatic steps
+  double accuracy = 1e-3;    ///< largest step_error of an automatic step, 1e-6 to 1
   std::size_t cells = 4096;  ///< equal cells on the support
-  double until = 0;          ///< ends earlier if from_run_in is at most this; 0: does not
+  double until = 0;          ///< ends earlier if from_run_in is at most this, below 1; 0: does not
 };
+
+/// Throws InvalidData, with the name of the member as its field, for a number out of its range.
+void check(const WearWanted& wanted);
 
 class WearRun {
  public:
-  /// Throws InvalidData if the method does not apply, or if `until` is given and no run-in pressure is known.
+  /// Throws InvalidData as check() does, if the method does not apply, or if `until` is given and no run-in pressure is known.
   WearRun(const ContactProblem& problem, const Wear& wear, const WearWanted& wanted);
 
   const WearProcess& process() const { return process_; }

@@ -49,6 +49,8 @@ class Problem:
         The material of the indenter, {"poisson": ..., "young": ...}.
     units : dict
         Names of units for the axes of pictures, {"length": "mm", "force": "N"}.
+    wear : dict
+        Archard's coefficients, {"coefficients": one for each friction value or one for all, "body": ...}; see wear().
 
     Raises
     ------
@@ -79,7 +81,7 @@ class Problem:
                  pieces: Sequence[tuple[Exact, Exact]] | None = None,
                  samples: str | PathLike[str] | Sequence[Any] | np.ndarray | Mapping[str, Any] | None = None,
                  support: Sequence[Exact] | np.ndarray | None = None, elastic: Mapping[str, Exact] | None = None,
-                 units: Mapping[str, str] | None = None) -> None:
+                 units: Mapping[str, str] | None = None, wear: Mapping[str, Any] | None = None) -> None:
         if isinstance(pieces, (list, tuple)):
             pieces = [dict(zip(("to", "profile"), piece)) if isinstance(piece, (list, tuple)) else piece for piece in pieces]
         if _document.is_pair(friction):
@@ -90,7 +92,8 @@ class Problem:
         self._set({
             "load": load, "load_at": load_at, "sliding": sliding, "units": units,
             "half_space": {"poisson": poisson, "young": young, "plane": plane, "gamma": gamma}, "friction": friction,
-            "indenter": {"support": support, "profile": profile, "pieces": pieces, "samples": samples, "elastic": elastic}})
+            "indenter": {"support": support, "profile": profile, "pieces": pieces, "samples": samples, "elastic": elastic},
+            "wear": wear})
 
     def _set(self, document, name=""):
         document, ends = _document.without_arrays(document)
