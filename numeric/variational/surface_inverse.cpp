@@ -12,8 +12,8 @@ namespace {
 
 /// Each kind of cells costs a transform; close values of s share one kind.
 constexpr std::size_t most_kinds = 4;
-/// With a diagonal, a kind in place of another one costs several products.
-constexpr std::size_t most_kinds_with_diagonal = 8;
+/// With a diagonal, a kind in place of another one costs more products than its own transform.
+constexpr std::size_t most_kinds_with_diagonal = 64;
 
 /// Returns one of a few fast lengths, four in an octave, so that plans and symbols are shared.
 std::size_t circle_length(std::size_t cells) {
@@ -81,8 +81,10 @@ std::vector<SurfaceInverse::Kind> SurfaceInverse::representatives(std::vector<Ki
 SurfaceInverse::SurfaceInverse(const GalerkinOperator& influence, double length)
     : influence_(influence), length_(length), kind_of_(influence.size()), pressures_(influence.size()) {
   std::vector<Kind> cells;
+  // In single precision, so that cells that differ by rounding have one kind.
+  const auto rounded = [](double value) { return static_cast<double>(static_cast<float>(value)); };
   for (std::size_t i = 0; i < influence.size(); ++i) {
-    cells.push_back({influence.friction().whole[i] / length, influence.diagonal(i)});
+    cells.push_back({rounded(influence.friction().whole[i] / length), rounded(influence.diagonal(i))});
   }
   values_ = representatives(cells);
   for (std::size_t i = 0; i < cells.size(); ++i) {

@@ -79,6 +79,7 @@ std::optional<std::vector<double>> of_lasting_cells(const DiscreteProblem& probl
   const double load_at = problem.load_at().value_or(0);
   double load = 0, moment = 0;
   for (std::size_t i = 0; i < k.size(); ++i) {
+    if (k[i] > 0) continue;
     const double force = found.state.pressure[i] * problem.mesh().length(i);
     load += force;
     moment += force * problem.mesh().centre(i);

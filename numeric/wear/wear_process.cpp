@@ -70,6 +70,8 @@ WearProcess::WearProcess(const ContactProblem& problem, const Wear& wear, std::s
   if (!(largest > 0 && std::isfinite(largest) && std::isfinite(natural_distance_)))
     throw InvalidData("wear.coefficients: values out of the range of double");
   k_ = means_of_pieces(problem, mesh, k);
+  // A coating ends at the end of a cell up to rounding.
+  for (double& value : k_) value = value < 1e-12 * largest ? 0 : value;
   friction_ = means_of_pieces(problem, mesh, f);
   run_in_ = run_in_pressure(*cells_, scaled(k_, natural_distance_));
 }
@@ -78,8 +80,9 @@ WearProcess::Step WearProcess::advanced(const WearState& state, double step, int
   const std::size_t n = k_.size();
   const std::vector<double> diagonal = scaled(k_, step);
   const auto problem = std::make_shared<const DiscreteProblem>(*cells_, scaled(state.depth, -1), diagonal);
-  // The rounding of a wear depth is relative to its size.
-  const double scale = 1 + step / natural_distance_;
+  // The rounding of the depth that the step takes off is relative to it.
+  double scale = 1;
+  for (std::size_t i = 0; i < n; ++i) scale = std::max(scale, diagonal[i] * state.contact.pressure[i]);
   variational::MeshSolution found = solved_from(problem, state.contact, scale);
   if (!is_solution(found, scale)) {
     Step half{state, 0, not_solved};

@@ -46,18 +46,17 @@ TEST_CASE("Krylov's method takes few products for every diagonal, and finds what
   for (const double size : {0.0, 0.01, 1.0, 100.0, 1e4}) {
     const auto stiff = std::make_shared<const DiscreteProblem>(plain, std::vector<double>(n), three_parts(n, size));
     ActiveSetOptions options;
-    options.tolerance *= 1 + size;
     const MeshSolution krylov = solve_on_cells(stiff, CellSet(n, 1), {std::vector<double>(n)}, options);
     options.dense_cells = n;
     const MeshSolution dense = solve_on_cells(stiff, CellSet(n, 1), {std::vector<double>(n)}, options);
     REQUIRE(krylov.found.outcome == ActiveSetResult::Outcome::solved);
     CHECK(krylov.found.contact == dense.found.contact);
     CHECK(krylov.found.products > 0);
-    CHECK(krylov.found.products < 12 * krylov.found.steps);
+    CHECK(krylov.found.products < 16 * krylov.found.steps);
     CHECK(dense.found.products == 0);
     for (std::size_t i = 0; i < n; ++i) {
       CHECK(std::abs(krylov.found.state.pressure[i] - dense.found.state.pressure[i]) < 1e-8);
     }
-    CHECK(certify(*stiff, krylov.found.state).natural < 1e-10 * (1 + size));
+    CHECK(certify(*stiff, krylov.found.state).natural < 1e-10);
   }
 }

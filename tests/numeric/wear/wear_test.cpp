@@ -82,7 +82,7 @@ TEST_CASE("wear of three coatings ends with k p constant") {
 }
 
 TEST_CASE("wear with a free tilt ends with k p = A + B x where this is positive") {
-  for (const Rational& load_at : {0.1_r, 0.6_r, -0.9_r}) {
+  for (const auto& [load_at, has_gap] : {std::pair(0.1_r, false), {0.6_r, false}, {-0.9_r, true}, {0.95_r, true}}) {
     const ContactProblem problem = three_coatings({0, 0, 0.1_r}, load_at);
     WearRun run(problem, wear_of(problem), {1e9, 0, 1e-3, 500, 1e-7});
     const auto [rows, last] = history(run);
@@ -104,7 +104,7 @@ TEST_CASE("wear with a free tilt ends with k p = A + B x where this is positive"
       CHECK(kp[i] == doctest::Approx(std::max(line, 0.0)).epsilon(1e-4));
       gaps += p[i] == 0 ? 1U : 0U;
     }
-    CHECK((gaps > 100) == (load_at != 0.1_r));
+    CHECK((gaps > 100) == has_gap);
   }
 }
 
@@ -169,8 +169,8 @@ TEST_CASE("wear through contacts that lose and gain zones is solved at each step
     pieces.push_back({right, Polynomial({height - slope * left, slope})});
     height = next;
   }
-  const ContactProblem problem = reduced({0.3_r, 0.1_r, 0.6_r}, jumps, Indenter(-1, pieces), 0.2_r);
-  const auto rows = history(problem, wear_of(problem), {0.2, 60, 1e-3, 2000}).rows;
+  const ContactProblem problem = reduced({0.3_r, 0.1_r, 0.6_r}, jumps, Indenter(-1, pieces), 0.02_r);
+  const auto rows = history(problem, wear_of(problem), {2, 60, 1e-3, 2000}).rows;
   CHECK(rows.size() == 61);
   CHECK(all_solved(rows));
   int gained = 0, lost = 0;
