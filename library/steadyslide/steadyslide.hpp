@@ -371,7 +371,7 @@ struct WearOptions {
   std::optional<int> cells{};        ///< cells on the support; default 4096
 };
 
-/// A contact after a sliding distance: distance, left, right, zones, effective_friction, ... (docs/wear.md).
+/// A contact after a sliding distance: distance, left, right, zones, effective_friction, ... (docs/problem-file.md, "Wear").
 using WearRow = numeric::wear::WearRow;
 
 struct WearHistory {

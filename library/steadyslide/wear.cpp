@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include "library/steadyslide/solution_state.hpp"
 #include "numeric/wear/wear_run.hpp"
 
@@ -20,7 +18,9 @@ WearHistory wear(const Problem& problem, const WearOptions& options,
     throw InvalidData("steps", "steps: conflicting option", "the accuracy chooses the steps", "accuracy");
   numeric::wear::WearWanted wanted;
   wanted.distance = rational(options.distance, "distance").convert_to<double>();
-  if (options.steps) wanted.steps = *options.steps > 0 ? *options.steps : -1;
+  if (options.steps) wanted.steps = *options.steps;
+  if (options.steps && *options.steps == 0)
+    throw InvalidData("steps", "steps: out of range", "there are 1 to 1000000 steps", "0");
   wanted.accuracy = options.accuracy.value_or(wanted.accuracy);
   wanted.until = options.until.value_or(0);
   if (options.cells) wanted.cells = count_of(*options.cells);

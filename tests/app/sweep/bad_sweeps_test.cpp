@@ -22,7 +22,7 @@ TEST_CASE("bad sweeps: the message for a mistake in the base has the line of the
   folder.write("base.toml", "lode = 1\n" + sweep_base);
   check_refused(folder.sweep({"-o", "out"}),
                 "base.toml:1: unknown key; the keys of a problem file are load, load_at, "
-                "sliding, units, half_space, friction, indenter; 'lode'");
+                "sliding, units, half_space, friction, indenter, wear; 'lode'");
   folder.write("base.toml", "load = ");
   check_refused(folder.sweep({"-o", "out"}),
                 "base.toml:1: not TOML; a problem file is written in TOML; Error while "

@@ -78,7 +78,7 @@ TEST_CASE("mistakes: in the base with its line, in what varies with the sweep's"
   };
   CHECK(
       said({axis("load", {"1"})}, "lode = 1\n" + base) ==
-      "base.toml:1: unknown key; the keys of a problem file are load, load_at, sliding, units, half_space, friction, indenter; "
+      "base.toml:1: unknown key; the keys of a problem file are load, load_at, sliding, units, half_space, friction, indenter, wear; "
       "'lode'");
   CHECK(said({axis("half_space.yong", {"1"})}) ==
         "sweep.toml:7: unknown key; the keys of half_space are poisson, young, plane, gamma, layers, base, period, symbol; 'yong'");
