@@ -130,10 +130,11 @@ ExitCode run_wear(const Given& given) {
     throw Failure(ExitCode::bad_input, problem.file + ": wear: missing; the command wear needs the table; absent");
   }
   if (options.plot) run_gnuplot("");
-  Output output(options.output);
-  std::optional<Output> profiles, plot;
-  if (options.profiles) profiles.emplace(options.profiles);
-  if (options.plot) plot.emplace(options.plot);
+  // Checked now, written at the end: an interrupted run leaves FILE.part alone.
+  for (const auto* file : {&options.output, &options.profiles, &options.plot}) {
+    if (*file) const Output writable(*file);
+  }
+  Output printed(std::nullopt);
   std::optional<WearRun> run;
   try {
     as_option([&] { run.emplace(problem.contact, *problem.wear, options.wanted); });
@@ -149,7 +150,12 @@ ExitCode run_wear(const Given& given) {
   } else {
     record.add(*run);
   }
-  output.write(wear_header() + record.rows);
+  const auto print = [&](std::string_view rows) {
+    if (options.output) return;
+    printed.write(rows);
+    printed.flush();
+  };
+  print(wear_header() + record.rows);
   {
     Progress progress(1);
     constexpr std::size_t whole = 1000;
@@ -158,22 +164,19 @@ ExitCode run_wear(const Given& given) {
       run->advance();
       ++record.steps;
       record.add(*run);
-      output.write(std::string_view(record.rows).substr(before));
-      if (!options.output) output.flush();
+      print(std::string_view(record.rows).substr(before));
       part.save(record);
       progress.show(static_cast<std::size_t>(run->progress() * whole), whole);
     }
   }
   record.add_last_profile(run->process());
   const std::vector<double> edges = profile_edges(run->process());
-  if (profiles) profiles->write(profile_table(record, edges));
-  if (plot) {
+  if (options.profiles) write_whole(options.profiles, profile_table(record, edges));
+  if (options.plot) {
     const std::vector<double> run_in = means_over_parts(run->process().run_in_pressures());
-    plot->write(rendered_picture(wear_figure(problem, record, edges, run_in), picture_of(*options.plot)));
+    write_whole(options.plot, rendered_picture(wear_figure(problem, record, edges, run_in), picture_of(*options.plot)));
   }
-  output.commit();
-  if (profiles) profiles->commit();
-  if (plot) plot->commit();
+  if (options.output) write_whole(options.output, wear_header() + record.rows);
   part.remove();
   if (run->row().failed_condition.empty()) return ExitCode::done;
   throw Failure(ExitCode::refuted,

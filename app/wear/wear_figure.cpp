@@ -106,7 +106,8 @@ Figure wear_figure(const Problem& problem, const WearRecord& record, const std::
   const std::string name =
       problem.file == "-" ? "standard input" : one_line(std::filesystem::path(problem.file).filename().string());
   Figure figure{"wear",
-                fmt::format("{}, worn over the sliding distance {:.6g}", name, record.state.distance),
+                fmt::format("{}, worn over the sliding distance {:.6g}{}{}", name, record.state.distance,
+                            length.empty() ? "" : " ", length),
                 "Worn depth of the indenter and pressure after some sliding distances, and the run-in pressure.",
                 680,
                 {std::move(depth), std::move(pressure)}};

@@ -1,5 +1,5 @@
 #pragma once
-// What a run of wear has given so far: its rows, profiles at some distances, and the state from which it goes on. Its
+// The record of a run of wear: its rows so far, profiles at some distances, and the state from which it goes on. Its
 // bytes stand in FILE.part while FILE is not finished. They are of this machine.
 
 #include <string>

@@ -3,7 +3,7 @@
 // replaced by forces at Chebyshev's points with the same integrals of polynomials. So few terms are left, because N and T
 // are analytic around a part.
 
-#include "numeric/bodies/surface_correction.hpp"
+#include "numeric/layers/surface_correction.hpp"
 #include "numeric/solution/piecewise_traction.hpp"
 
 namespace steadyslide::numeric {

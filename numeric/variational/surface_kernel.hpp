@@ -5,7 +5,7 @@
 //
 //   k(x) = (N(x) - log|x|)/pi + a constant,   j(x) = -T(x)/pi,
 //
-// with N and T of numeric/bodies/surface_correction.hpp, both 0 for the half-plane. f > 0 sliding towards +x, otherwise
+// with N and T of numeric/layers/surface_correction.hpp, both 0 for the half-plane. f > 0 sliding towards +x, otherwise
 // f < 0. No other file of this folder uses a formula for k or j. The folder assumes only these properties:
 //
 //   - They depend on x - x' only; k is even, j is odd. So equal cells have Toeplitz matrices, and their transforms are
@@ -20,7 +20,7 @@
 #include <limits>
 #include <memory>
 
-#include "numeric/bodies/surface_correction.hpp"
+#include "numeric/layers/surface_correction.hpp"
 
 namespace steadyslide::numeric::variational {
 

@@ -87,7 +87,7 @@ TEST_CASE("wear: a killed and resumed run gives the same files to the byte") {
                   "out.part:1: an interrupted run; --resume goes on with it; without it there is no such file");
     check_refused(folder.run(words("wear blade.toml --distance 2 --steps 150 --cells 20000 --resume -o out")),
                   "out.part:1: another run; --resume goes on with the same problem, options and version; '" +
-                      lines(part)[0] + "'");
+                      lines(part)[0].substr(0, 37) + "...'");
     folder.write("cut.part", part.substr(0, part.size() - 8));
     check_refused(folder.run(command("cut --resume")),
                   "cut.part:2: not whole; remove it and start again; " + std::to_string(part.size() - 8) + " bytes");
@@ -97,7 +97,7 @@ TEST_CASE("wear: a killed and resumed run gives the same files to the byte") {
     for (const char* name : {"out", "later", "cut.part"}) std::filesystem::remove(folder.path() / name);
     CHECK(folder.names() == std::vector<std::string>{"blade.toml", "profiles", "whole"});
   }
-  // Without FILE.part a run starts from the beginning.
+  // A run that has no FILE.part starts from the beginning.
   out_of(folder.run(command("out --resume")));
   CHECK(folder.read("out") == whole);
 }
@@ -119,7 +119,7 @@ TEST_CASE("wear: what is refused, and a step that has no solution") {
   CHECK(failed.code == 1);
   const std::string reason =
       "the contact of an elastic indenter reaches an edge, where the half-plane idealisation fails";
-  CHECK(holds(failed.err, "elastic.toml: not solved beyond the sliding distance 1."));
+  CHECK(holds(failed.err, "elastic.toml: not solved beyond the sliding distance 0.03"));
   CHECK(holds(failed.err, reason + "; what was reached is printed"));
   CHECK(holds(lines(folder.read("out")).back(), ",\"" + reason + "\""));
 }

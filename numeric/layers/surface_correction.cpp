@@ -1,4 +1,4 @@
-#include "numeric/bodies/surface_correction.hpp"
+#include "numeric/layers/surface_correction.hpp"
 
 #include <map>
 #include <mutex>
