@@ -73,9 +73,12 @@ TEST_CASE("wear: a killed and resumed run gives the same files to the byte") {
   const std::string whole = folder.read("whole"), profiles = folder.read("profiles");
   CHECK(lines(whole).size() == 152);
   CHECK(lines(profiles).size() > 10000);
-  for (const auto& [signal, code] : {std::pair(SIGKILL, 128 + SIGKILL), {SIGTERM, 130}}) {
-    const Finished killed =
-        run_and_interrupt(command("out --profiles later"), folder, signal, std::chrono::milliseconds(900));
+  for (const auto& [signal, code] : {std::pair("KILL", 128 + SIGKILL), {"TERM", 130}}) {
+    const std::string run = std::string(STEADYSLIDE_EXECUTABLE) + " wear blade.toml --distance 3 --steps 150 " +
+                            "--cells 20000 -o out --profiles later";
+    const Finished killed = run_other(
+        {"bash", "-c", run + " & until [ -e out.part ]; do sleep 0.01; done; kill -" + signal + " $!; wait $!"},
+        folder.path());
     REQUIRE(killed.code == code);
     const std::vector<std::string> names = folder.names();
     REQUIRE(std::count(names.begin(), names.end(), "out.part") == 1);
