@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <numbers>
 #include <optional>
 #include <ranges>
 
 #include "app/embedded.hpp"
 #include "app/terminal/failure.hpp"
+#include "numeric/variational/cell_data.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -136,12 +136,7 @@ class SolutionFigure {
   double height(const Rational& x, Side side) const {
     const double tilted = solution_.resultants.tilt ? value_of(solution_.resultants.tilt->value) * value_of(x) : 0;
     const Indenter& indenter = problem_.contact.indenter();
-    double waves = 0;
-    for (const Harmonic& term : indenter.harmonics()) {
-      const Rational periods = term.n * (x - indenter.origin_of_harmonics()) / *problem_.contact.body().period();
-      const double angle = 2 * std::numbers::pi * value_of(periods);
-      waves += value_of(term.cosine) * std::cos(angle) + value_of(term.sine) * std::sin(angle);
-    }
+    const double waves = numeric::variational::harmonic_sum(problem_.contact, x).height;
     return value_of(indenter.profile(x, side)(x)) + waves + tilted;
   }
 

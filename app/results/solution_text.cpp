@@ -8,6 +8,7 @@
 #include "library/answer/solved_contact.hpp"
 #include "library/solve/double_range.hpp"
 #include "library/solve/warnings.hpp"
+#include "model/uniqueness.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -193,8 +194,7 @@ SolutionText solution_text(const Problem& problem, const numeric::ContactSolutio
   text.failed_condition = library::failed_condition(solution, residuals, most, writer.converged());
   writer.tell("residuals");
   text.residuals = writer.sizes(named(residuals));
-  text.uniqueness =
-      std::string("uniqueness theorem for a given ") + (problem.contact.load_at() ? "line of action" : "attitude");
+  text.uniqueness = uniqueness_theorem(problem.contact);
   return text;
 }
 

@@ -72,8 +72,9 @@ struct NamedSize {
   std::string size;
 };
 
-/// Every solution is the only one, because the theorem on uniqueness covers every contact problem (docs/theory.md).
+/// What is said of a solution if a theorem on uniqueness covers its problem (docs/theory.md), and if none does.
 inline constexpr const char* only_solution = "the only solution";
+inline constexpr const char* no_uniqueness = "on this body uniqueness is proved for constant friction alone";
 
 /// The result of a proof, if one was requested.
 struct ProofText {
@@ -118,7 +119,7 @@ struct SolutionText {
   std::vector<SampleText> curve;  ///< for a picture, left to right; from the solver even if the rest is proved
   std::vector<NamedSize> errors;  ///< relative; estimated, or proved if the solution is proved
   std::vector<NamedSize> residuals;
-  std::string uniqueness;        ///< the theorem that says so
+  std::string uniqueness;        ///< the theorem that says so; empty if none does
   std::string reason;            ///< not empty: the method does not apply, and the other members are empty
   std::string failed_condition;  ///< not empty: this is not a solution; the reason
   std::vector<std::string> warnings;

@@ -51,6 +51,17 @@ Json half_space(const Elasticity& elasticity, const Body& body) {
     json["gamma"] = exact_text(elasticity.gamma());
   }
   if (body.period()) json["period"] = exact_text(*body.period());
+  if (body.symbols()) json["symbol"] = {{"rows", body.symbols()->size()}};
+  if (body.layers().empty()) return json;
+  Json layered{{"plane", json["plane"]}, {"base", body.base() ? "elastic" : "rigid"}};
+  if (body.base()) layered.update(solid(*body.base()));
+  for (const Layer& layer : body.layers()) {
+    Json of_layer{{"thickness", exact_text(layer.thickness)}};
+    of_layer.update(solid(layer.solid));
+    of_layer["below"] = layer.below == Interface::bonded ? "bonded" : "slip";
+    layered["layers"].push_back(std::move(of_layer));
+  }
+  return layered;
   return json;
 }
 
@@ -245,6 +256,7 @@ Json solution_json(const SolutionText& solution) {
 
 Json uniqueness_json(const SolutionText& solution) {
   if (!solution.failed_condition.empty()) return {{"status", "not_solved"}, {"reason", solution.failed_condition}};
+  if (solution.uniqueness.empty()) return {{"status", "not_decided"}, {"reason", no_uniqueness}};
   return {{"status", only_solution}, {"reason", solution.uniqueness}};
 }
 

@@ -234,7 +234,10 @@ void write_text(const Problem& problem, const SolutionText& solution, Output& ou
   if (solution.proof) write_proof(*solution.proof, output);
   if (solution.bound) write_bound(*solution.bound, output);
   if (solution.tolerance) write_tolerance(problem, *solution.tolerance, output);
-  if (solution.is_solved()) output.write(fmt::format("\n{}, by the {}\n", only_solution, solution.uniqueness));
+  if (!solution.is_solved()) return;
+  const bool decided = !solution.uniqueness.empty();
+  output.write(decided ? fmt::format("\n{}, by the {}\n", only_solution, solution.uniqueness)
+                       : fmt::format("\nnot decided whether it is {}: {}\n", only_solution, no_uniqueness));
 }
 
 void write_text(const Problem& problem, const BothText& both, Output& output) {

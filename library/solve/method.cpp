@@ -112,10 +112,11 @@ template <numeric::Real R>
 numeric::Attempt<R> attempt(Method method, const ContactProblem& problem, const numeric::ContactSolution<R>* start) {
   if (method != Method::riemann_hilbert) {
     numeric::Attempt<R> formula = numeric::closed_form<R>(problem);
-    if (formula.solution || method == Method::closed_form || problem.body().period()) return formula;
+    if (formula.solution || method == Method::closed_form) return formula;
   }
-  if constexpr (std::same_as<R, double>) {
-    if (!problem.body().is_half_plane()) return numeric::contact_on_body(problem);
+  if (!problem.body().is_half_plane()) {
+    if constexpr (std::same_as<R, double>) return numeric::contact_on_body(problem);
+    return {nullptr, "on this body a problem without a closed form is solved with 16 digits alone"};
   }
   return numeric::riemann_hilbert<R>(problem, start);
 }

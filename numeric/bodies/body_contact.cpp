@@ -9,6 +9,7 @@
 #include "numeric/bodies/smooth_slope.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
+#include "numeric/variational/cell_data.hpp"
 #include "numeric/variational/variational_inequality.hpp"
 
 namespace steadyslide::numeric {
@@ -74,7 +75,14 @@ class CorrectedContact {
         correction_(surface_correction<double>(problem, 1.5 * support_)),
         left_(cells.contact().front().left.x.value),
         right_(cells.contact().back().right.x.value),
-        slope_(problem.indenter(), left_, right_, [this](double x) { return radius(x); }) {}
+        slope_(problem.indenter(), left_, right_, [this](double x) { return radius(x); }),
+        harmonics_(slope_.nodes().size()) {
+    const auto compliance = to_real<double>(problem.elasticity().compliance());
+    for (std::size_t i = 0; i < slope_.nodes().size(); ++i) {
+      const Rational x(slope_.nodes()[i]);
+      harmonics_(static_cast<Eigen::Index>(i)) = variational::harmonic_sum(problem, x).slope / compliance;
+    }
+  }
 
   Attempt<double> solve(const ContactSolution<double>& cells);
 
@@ -85,7 +93,11 @@ class CorrectedContact {
   double radius(double x) const {
     const double near = std::max({left_ - x, x - right_, 0.0});
     const double far = std::max(std::abs(left_ - x), std::abs(right_ - x));
-    return std::min(correction_->radius(near), correction_->radius(far));
+    double result = std::min(correction_->radius(near), correction_->radius(far));
+    // The series of a harmonic has no singularity, but needs panels that are not longer than its wave.
+    for (const Harmonic& term : problem_.indenter().harmonics())
+      result = std::min(result, to_real<double>(*problem_.body().period()) / term.n);
+    return result;
   }
   /// Returns w at the nodes.
   Eigen::VectorXd correction_under(const ContactSolution<double>& solution) const {
@@ -96,7 +108,8 @@ class CorrectedContact {
     return w;
   }
   ContactProblem corrected(const Eigen::VectorXd& w, SmoothSlope::Detail detail) {
-    slope_.set({w.begin(), w.end()});
+    const Eigen::VectorXd sum = w + harmonics_;
+    slope_.set({sum.begin(), sum.end()});
     return slope_.added_to(problem_, problem_.elasticity().compliance(), detail);
   }
 
@@ -105,9 +118,14 @@ class CorrectedContact {
   std::shared_ptr<const SurfaceCorrection<double>> correction_;
   double left_, right_;
   SmoothSlope slope_;
+  Eigen::VectorXd harmonics_;  ///< the slope of the profile's harmonics over c, at the nodes
 };
 
 Attempt<double> CorrectedContact::solve(const ContactSolution<double>& cells) {
+  constexpr double widest = 10;
+  if (right_ - left_ > widest * correction_->radius(0))
+    return {nullptr,
+            "the contact is more than 20 times as wide as the first layer is thick"};
   using Detail = SmoothSlope::Detail;
   constexpr int most_steps = 60, patience = 4;
   constexpr double enough = 2e-15, acceptable = 1e-9;

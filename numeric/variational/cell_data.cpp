@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
 #include <functional>
+#include <numbers>
 #include <stdexcept>
 
 #include "numeric/number/polynomial.hpp"
@@ -134,6 +136,20 @@ Rational profile_above_middle(const ContactProblem& problem, const Rational& x) 
   return height_at(problem.indenter(), x) - height_at(problem.indenter(), middle_of(problem.indenter()));
 }
 
+HarmonicSum harmonic_sum(const ContactProblem& problem, const Rational& x) {
+  HarmonicSum sum{0, 0};
+  const Indenter& indenter = problem.indenter();
+  for (const Harmonic& term : indenter.harmonics()) {
+    const Rational turns = term.n * (x - indenter.origin_of_harmonics()) / *problem.body().period();
+    const double angle = 2 * std::numbers::pi * to_real<double>(turns);
+    const double wave_number = 2 * std::numbers::pi * term.n / to_real<double>(*problem.body().period());
+    const auto cosine = to_real<double>(term.cosine), sine = to_real<double>(term.sine);
+    sum.height += cosine * std::cos(angle) + sine * std::sin(angle);
+    sum.slope += wave_number * (sine * std::cos(angle) - cosine * std::sin(angle));
+  }
+  return sum;
+}
+
 double CellProfile::LocalPiece::operator()(double xi) const { return value_of(coefficients, xi - origin); }
 
 /// Exact, because the rule has enough points for the degree.
@@ -164,12 +180,24 @@ CellProfile::CellProfile(const ContactProblem& problem, const Frame& frame) {
     left = piece.to;
   }
   ends_.pop_back();
+  for (const Harmonic& term : indenter.harmonics()) {
+    const auto cosine = to_real<double>(term.cosine / scale), sine = to_real<double>(term.sine / scale);
+    const double wave_number = 2 * std::numbers::pi * to_real<double>(term.n * frame.unit / *problem.body().period());
+    const auto origin = to_real<double>((indenter.origin_of_harmonics() - frame.origin) / frame.unit);
+    waves_.push_back({wave_number, origin + std::atan2(sine, cosine) / wave_number, std::hypot(cosine, sine)});
+  }
+}
+
+double CellProfile::waves_at(double xi) const {
+  double sum = 0;
+  for (const Wave& wave : waves_) sum += wave.amplitude * std::cos(wave.wave_number * (xi - wave.crest));
+  return sum;
 }
 
 double CellProfile::operator()(double xi, Side side) const {
   const auto end = side == Side::left ? std::lower_bound(ends_.begin(), ends_.end(), xi)
                                       : std::upper_bound(ends_.begin(), ends_.end(), xi);
-  return pieces_[static_cast<std::size_t>(end - ends_.begin())](xi);
+  return pieces_[static_cast<std::size_t>(end - ends_.begin())](xi) + waves_at(xi);
 }
 
 std::vector<double> CellProfile::means(const CellMesh& mesh) const {
@@ -177,6 +205,12 @@ std::vector<double> CellProfile::means(const CellMesh& mesh) const {
   for_each_part(mesh, ends_, [&](std::size_t i, std::size_t piece, const Interval& part) {
     result[i] += pieces_[piece].integral(part.left, part.right) / mesh.length(i);
   });
+  for (std::size_t i = 0; i < mesh.size(); ++i) {
+    for (const auto& [wave_number, crest, amplitude] : waves_) {
+      const double half = wave_number * mesh.length(i) / 2;
+      result[i] += amplitude * std::cos(wave_number * (mesh.centre(i) - crest)) * std::sin(half) / half;
+    }
+  }
   return result;
 }
 

@@ -82,8 +82,14 @@ std::vector<double> means_of_pieces(const ContactProblem& problem, const CellMes
 /// Returns psi(x) minus its value at the middle of the support. Only differences matter, and these are small near the
 /// contact.
 Rational profile_above_middle(const ContactProblem& problem, const Rational& x);
+/// Returns the sum of the profile's harmonics at x, and its slope; 0 without them.
+struct HarmonicSum {
+  double height;
+  double slope;
+};
+HarmonicSum harmonic_sum(const ContactProblem& problem, const Rational& x);
 
-/// profile_above_middle/(c P) in xi of uniform meshes, prepared for means over cells.
+/// (profile_above_middle + harmonics)/(c P) in xi of uniform meshes, prepared for means over cells.
 class CellProfile {
  public:
   CellProfile(const ContactProblem& problem, const Frame& frame);
@@ -106,7 +112,16 @@ class CellProfile {
   static LocalPiece local_piece(const Polynomial& profile, const Rational& middle, const Frame& frame,
                                 const Rational& height, const Rational& scale);
 
+  /// amplitude cos(wave_number (xi - crest))
+  struct Wave {
+    double wave_number;
+    double crest;
+    double amplitude;
+  };
+  double waves_at(double xi) const;
+
   std::vector<LocalPiece> pieces_;
+  std::vector<Wave> waves_;
   std::vector<double> ends_;  ///< right ends of all pieces except the last
 };
 

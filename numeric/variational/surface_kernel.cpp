@@ -103,10 +103,16 @@ SurfaceKernel::SurfaceKernel(std::shared_ptr<const SurfaceCorrection<double>> bo
   constant_ = -2 * least;
 }
 
+double SurfaceKernel::parts_of(double h, double from, double to) const {
+  // Eight points on parts of half the distance of a singularity are exact to the last digits.
+  const double near = from < 0 && to > 0 ? 0 : std::min(std::abs(from), std::abs(to));
+  const double far = std::max(std::abs(from), std::abs(to));
+  return std::ceil(2 * h * unit_ / std::min(body_->radius(unit_ * near), body_->radius(unit_ * far)));
+}
+
 template <class F>
 double SurfaceKernel::smooth_mean(double y, double h, const F& f) const {
-  // Eight points on parts that are not longer than the distance of a singularity are exact to the last digits.
-  const double parts = std::ceil(h * unit_ / body_->radius(unit_ * y));
+  const double parts = parts_of(h, y - h / 2, y + h / 2);
   double sum = 0;
   for (double part = 0; part < parts; ++part)
     sum += gauss_mean(y - h / 2 + h * part / parts, y - h / 2 + h * (part + 1) / parts, f);
@@ -115,7 +121,7 @@ double SurfaceKernel::smooth_mean(double y, double h, const F& f) const {
 
 template <class F>
 double SurfaceKernel::smooth_mean_of_cells(double y, double h, const F& f) const {
-  const double parts = std::ceil(h * unit_ / body_->radius(unit_ * y));
+  const double parts = parts_of(h, y - h, y + h);
   double sum = 0;
   for (const double side : {-1.0, 1.0}) {
     const auto weighted = [&](double v) { return (1 - v) * f(y + side * h * v); };

@@ -77,6 +77,8 @@ class SurfaceKernel {
   double turning(double y) const { return body_->coupling(unit_ * y); }
   /// Returns |y|, or its distance from the period if this is shorter: k is the same there.
   double folded(double y) const { return std::min(std::abs(y), std::abs(period_ - std::abs(y))); }
+  /// Returns the number of parts of a length h on which rules are exact, for distances in [from, to].
+  double parts_of(double h, double from, double to) const;
   /// Returns the mean of a smooth function over a cell of length h around y; over two such cells at this distance.
   template <class F>
   double smooth_mean(double y, double h, const F& f) const;

@@ -99,7 +99,8 @@ double VariationalSolution::displacement_beyond(const variational::MeshSolution&
 
 double VariationalSolution::height_in_units(const Rational& x) const {
   return to_real<double>(Rational(variational::profile_above_middle(problem_, x) /
-                                  (problem_.elasticity().compliance() * problem_.load())));
+                                  (problem_.elasticity().compliance() * problem_.load()))) +
+         variational::harmonic_sum(problem_, x).height / height_;
 }
 
 bool VariationalSolution::is_on_support(const Rational& x) const {
@@ -159,7 +160,8 @@ Sample<double> VariationalSolution::at(const Rational& x) const {
   }
   const auto slope = [&](std::size_t cell, Side side) -> Estimate<double> {
     if (contact[cell]) {
-      const double profile = to_real<double>(problem_.indenter().profile(x, side).derivative()(x));
+      const double profile = to_real<double>(problem_.indenter().profile(x, side).derivative()(x)) +
+                             variational::harmonic_sum(problem_, x).slope;
       const double value = profile + height_ / unit_ * state().tilt;
       return {value, 4e-16 * std::abs(value)};
     }
@@ -234,7 +236,8 @@ std::vector<Sample<double>> VariationalSolution::samples(int count) const {
 }
 
 Estimate<double> VariationalSolution::height(const Rational& x) const {
-  const double profile = to_real<double>(variational::profile_above_middle(problem_, x));
+  const double profile =
+      to_real<double>(variational::profile_above_middle(problem_, x)) + variational::harmonic_sum(problem_, x).height;
   const double tilted = height_ * state().tilt * mesh().place(x);
   const double change = height_ * (state().tilt - found_.coarse.found.state.tilt) * mesh().place(x);
   return Estimate<double>{profile + tilted, std::abs(change) + 1e-15 * (std::abs(profile) + std::abs(tilted))} -
