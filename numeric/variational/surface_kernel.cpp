@@ -176,11 +176,13 @@ double SurfaceKernel::coupling(double distance) const { return body_ ? -turning(
 
 double SurfaceKernel::coupling_of_equal_cells(double h, double cells) const {
   if (!body_) return 0;
+  if (std::isfinite(period_)) return h * coupling(h * cells);  // T is linear
   return -h * smooth_mean_of_cells(h * cells, h, [this](double y) { return turning(y); }) / std::numbers::pi;
 }
 
 double SurfaceKernel::coupling_from_equal_cell(double h, double cells) const {
   if (!body_) return 0;
+  if (std::isfinite(period_)) return h * coupling(h * cells);
   return -h * smooth_mean(h * cells, h, [this](double y) { return turning(y); }) / std::numbers::pi;
 }
 
