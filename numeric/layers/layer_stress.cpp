@@ -23,7 +23,6 @@ LayerStress<R>::LayerStress(const BodySymbols<R>& symbols, const R& k, const R& 
       field.held_by = product(raised(layer.gamma, layer.rest, field.xi, sides[n]).tractions.inverse(), traction);
       traction = product(sides[n].tractions, field.held_by);
     }
-    if (!layer.bonded) traction.second = 0;
     fields_.push_back(field);
   }
   if (!symbols.base_gamma()) return;
