@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
-#include <utility>
+#include <tuple>
 
 namespace steadyslide::numeric::variational {
 namespace {
@@ -61,6 +61,7 @@ std::vector<SurfaceInverse::Kind> SurfaceInverse::representatives(std::vector<Ki
   const bool has_diagonal =
       std::any_of(cells.begin(), cells.end(), [](const Kind& cell) { return cell.diagonal != 0; });
   if (cells.size() <= (has_diagonal ? most_kinds_with_diagonal : most_kinds)) return cells;
+  const bool has_ends = std::any_of(cells.begin(), cells.end(), [](const Kind& cell) { return cell.at_end; });
   const double low = std::atan(cells.front().s);
   const double width = (std::atan(cells.back().s) - low) / most_kinds;
   std::vector<double> sums(most_kinds), counts(most_kinds);
@@ -73,7 +74,8 @@ std::vector<SurfaceInverse::Kind> SurfaceInverse::representatives(std::vector<Ki
   std::vector<Kind> result;
   for (std::size_t k = 0; k < most_kinds; ++k) {
     const double diagonal = counts[k] > 0 ? sums[k] / counts[k] : 0;
-    result.push_back({std::tan(low + (static_cast<double>(k) + 0.5) * width), diagonal});
+    const double s = std::tan(low + (static_cast<double>(k) + 0.5) * width);
+    result.push_back({s, has_ends && std::abs(s) > strong_friction, diagonal});
   }
   return result;
 }
@@ -84,7 +86,8 @@ SurfaceInverse::SurfaceInverse(const GalerkinOperator& influence, double length)
   // In single precision, so that cells that differ by rounding have one kind.
   const auto rounded = [](double value) { return static_cast<double>(static_cast<float>(value)); };
   for (std::size_t i = 0; i < influence.size(); ++i) {
-    cells.push_back({rounded(influence.friction().whole[i] / length), rounded(influence.diagonal(i))});
+    const CellFriction& friction = influence.friction();
+    cells.push_back({rounded(friction.whole[i] / length), friction.is_at_end(i), rounded(influence.diagonal(i))});
   }
   values_ = representatives(cells);
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -93,8 +96,8 @@ SurfaceInverse::SurfaceInverse(const GalerkinOperator& influence, double length)
       continue;
     }
     const auto distance = [&](const Kind& kind) {
-      return std::pair(std::abs(std::atan(kind.s) - std::atan(cells[i].s)),
-                       std::abs(kind.diagonal - cells[i].diagonal));
+      return std::tuple(std::abs(std::atan(kind.s) - std::atan(cells[i].s)), kind.at_end != cells[i].at_end,
+                        std::abs(kind.diagonal - cells[i].diagonal));
     };
     const auto nearest = std::min_element(values_.begin(), values_.end(),
                                           [&](const Kind& a, const Kind& b) { return distance(a) < distance(b); });
@@ -105,10 +108,9 @@ SurfaceInverse::SurfaceInverse(const GalerkinOperator& influence, double length)
 std::vector<std::complex<double>> SurfaceInverse::reciprocal(const Kind& kind, const Fourier& fourier) const {
   const double s = kind.s;
   const CellFriction& friction = influence_.friction();
-  const bool at_end = !friction.at_end.empty() && std::abs(s) > strong_friction;
-  const double rest = at_end ? friction.sign * 0.5 : 0;
-  std::vector<std::complex<double>> result = influence_.spectrum(at_end, fourier);
-  const std::vector<std::complex<double>> coupling = influence_.coupling_spectrum(at_end, s, length_, fourier);
+  const double rest = kind.at_end ? friction.sign * 0.5 : 0;
+  std::vector<std::complex<double>> result = influence_.spectrum(kind.at_end, fourier);
+  const std::vector<std::complex<double>> coupling = influence_.coupling_spectrum(kind.at_end, s, length_, fourier);
   const auto n = static_cast<double>(fourier.size());
   for (std::size_t k = 0; k < result.size(); ++k) {
     const double cot = k == 0 ? 0 : 1 / std::tan(std::numbers::pi * static_cast<double>(k) / n);

@@ -48,6 +48,7 @@ class SurfaceInverse {
   /// The data of a cell on which the symbol depends.
   struct Kind {
     double s;
+    bool at_end;  ///< the equation applies at the cell's end
     double diagonal;
     auto operator<=>(const Kind&) const = default;
   };

@@ -6,7 +6,7 @@
 
 namespace {
 
-const std::vector<std::string> command_names = words("verify exponents table solve design sweep figures report");
+const std::vector<std::string> command_names = words("verify exponents table solve design sweep wear figures report");
 
 /// Returns the options in --help of a command.
 std::set<std::string> options_of(const std::string& command) {
