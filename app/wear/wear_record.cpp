@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstring>
+#include <nlohmann/json.hpp>
 
 #include "app/results/rows.hpp"
 #include "library/text/number_format.hpp"
@@ -27,64 +27,6 @@ std::size_t cells_in_part(std::size_t cells) { return (cells + most_parts - 1) /
 
 WornProfile profile_of(const WearProcess& process, const numeric::wear::WearState& state) {
   return {state.distance, means_over_parts(process.pressures(state)), means_over_parts(process.depths(state))};
-}
-
-/// Writes the parts of a record, one after the other.
-class Writer {
- public:
-  explicit Writer(std::string title) : bytes_(std::move(title)) {}
-  void operator()(const double& value) { raw(&value, sizeof value); }
-  void operator()(const std::uint64_t& value) { raw(&value, sizeof value); }
-  template <class List>
-  void list(const List& values) {
-    (*this)(std::uint64_t{values.size()});
-    raw(values.data(), values.size() * sizeof(values[0]));
-  }
-  std::string bytes_;
-
- private:
-  void raw(const void* from, std::size_t size) { bytes_.append(static_cast<const char*>(from), size); }
-};
-
-/// Reads them.
-class Reader {
- public:
-  explicit Reader(std::string_view rest) : rest_(rest) {}
-  void operator()(double& value) { raw(&value, sizeof value); }
-  void operator()(std::uint64_t& value) { raw(&value, sizeof value); }
-  template <class List>
-  void list(List& values) {
-    std::uint64_t size = 0;
-    (*this)(size);
-    whole_ = whole_ && size <= rest_.size() / sizeof(values[0]);
-    values.resize(whole_ ? size : 0);
-    raw(values.data(), values.size() * sizeof(values[0]));
-  }
-  bool is_whole() const { return whole_ && rest_.empty(); }
-
- private:
-  void raw(void* to, std::size_t size) {
-    whole_ = whole_ && size <= rest_.size();
-    if (!whole_ || size == 0) return;
-    std::memcpy(to, rest_.data(), size);
-    rest_.remove_prefix(size);
-  }
-  std::string_view rest_;
-  bool whole_ = true;
-};
-
-/// Calls visit for every part of a record, in the order of the file. `count`: the numbers of steps and profiles.
-template <class Record, class Visit>
-void for_each_part(Record& record, std::uint64_t (&count)[2], Visit& visit) {
-  visit.list(record.rows);
-  for (auto& one : count) visit(one);
-  visit(record.step_error);
-  visit(record.state.distance);
-  visit(record.state.next_step);
-  visit.list(record.state.depth);
-  visit.list(record.state.contact.pressure);
-  visit(record.state.contact.approach);
-  visit(record.state.contact.tilt);
 }
 
 }  // namespace
@@ -158,15 +100,17 @@ std::string profile_table(const WearRecord& record, const std::vector<double>& e
 }
 
 std::string bytes_of(const WearRecord& record, const std::string& title) {
-  Writer write(title);
-  std::uint64_t count[2] = {static_cast<std::uint64_t>(record.steps), record.profiles.size()};
-  for_each_part(record, count, write);
-  for (const auto& [distance, pressure, depth] : record.profiles) {
-    write(distance);
-    write.list(pressure);
-    write.list(depth);
-  }
-  return std::move(write.bytes_);
+  using nlohmann::json;
+  const auto& [distance, next_step, depth, contact] = record.state;
+  json all{{"rows", record.rows},
+           {"steps", record.steps},
+           {"step_error", record.step_error},
+           {"state", {distance, next_step, depth, contact.pressure, contact.approach, contact.tilt}},
+           {"profiles", json::array()}};
+  for (const WornProfile& one : record.profiles) all["profiles"].push_back({one.distance, one.pressure, one.depth});
+  std::string bytes = title;
+  json::to_cbor(all, bytes);
+  return bytes;
 }
 
 WearRecord record_of(const std::string& bytes, const std::string& title, const std::string& file) {
@@ -175,20 +119,20 @@ WearRecord record_of(const std::string& bytes, const std::string& title, const s
                   fmt::format("{}:1: another run; --resume goes on with the same problem, options and version; {}",
                               file, excerpt(std::string_view(bytes).substr(0, bytes.find('\n')))));
   }
-  WearRecord record;
-  Reader read(std::string_view(bytes).substr(title.size()));
-  std::uint64_t count[2] = {0, 0};
-  for_each_part(record, count, read);
-  record.steps = static_cast<int>(count[0]);
-  for (std::uint64_t k = 0; k < count[1] && record.profiles.size() < bytes.size(); ++k) {
-    WornProfile& profile = record.profiles.emplace_back();
-    read(profile.distance);
-    read.list(profile.pressure);
-    read.list(profile.depth);
+  try {
+    const auto all = nlohmann::json::from_cbor(bytes.substr(title.size()));
+    const auto& state = all.at("state");
+    WearRecord record{all.at("rows"),
+                      all.at("steps"),
+                      all.at("step_error"),
+                      {state.at(0), state.at(1), state.at(2), {state.at(3), state.at(4), state.at(5)}},
+                      {}};
+    for (const auto& one : all.at("profiles")) record.profiles.push_back({one.at(0), one.at(1), one.at(2)});
+    return record;
+  } catch (const nlohmann::json::exception&) {
+    throw Failure(ExitCode::bad_input,
+                  fmt::format("{}:2: not whole; remove it and start again; {} bytes", file, bytes.size()));
   }
-  if (read.is_whole()) return record;
-  throw Failure(ExitCode::bad_input,
-                fmt::format("{}:2: not whole; remove it and start again; {} bytes", file, bytes.size()));
 }
 
 }  // namespace steadyslide::app

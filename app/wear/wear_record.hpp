@@ -1,6 +1,6 @@
 #pragma once
 // The record of a run of wear: its rows so far, profiles at some distances, and the state from which it goes on. Its
-// bytes stand in FILE.part while FILE is not finished. They are of this machine.
+// bytes stand in FILE.part while FILE is not finished.
 
 #include <string>
 #include <vector>
@@ -41,7 +41,7 @@ std::vector<double> profile_edges(const numeric::wear::WearProcess& process);
 /// Returns a CSV table: distance, x, pressure and depth at every place with pressure or depth.
 std::string profile_table(const WearRecord& record, const std::vector<double>& edges);
 
-/// Returns the contents of FILE.part; the title is the first line.
+/// Returns the contents of FILE.part: the title, which is its first line, and the record as CBOR.
 std::string bytes_of(const WearRecord& record, const std::string& title);
 /// Reads them. Throws Failure (exit code 2) for another title, and for bytes that are not whole.
 WearRecord record_of(const std::string& bytes, const std::string& title, const std::string& file);

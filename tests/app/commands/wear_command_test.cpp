@@ -90,7 +90,7 @@ TEST_CASE("wear: a killed and resumed run gives the same files to the byte") {
                   "out.part:1: an interrupted run; --resume goes on with it; without it there is no such file");
     check_refused(folder.run(words("wear blade.toml --distance 2 --steps 150 --cells 20000 --resume -o out")),
                   "out.part:1: another run; --resume goes on with the same problem, options and version; '" +
-                      lines(part)[0].substr(0, 37) + "...'");
+                      lines(part)[0].substr(0, 40) + "...'");
     folder.write("cut.part", part.substr(0, part.size() - 8));
     check_refused(folder.run(command("cut --resume")),
                   "cut.part:2: not whole; remove it and start again; " + std::to_string(part.size() - 8) + " bytes");
