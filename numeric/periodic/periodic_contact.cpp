@@ -36,7 +36,7 @@ class ZoneSearch {
 
   std::optional<ZoneEnds<double>> found() const {
     const ZoneEnds<double> edges{data_.left, data_.right, false, false};
-    if (!data_.whole && holds(edges)) return edges;
+    if (holds(edges)) return edges;
     if (data_.g.empty()) return std::nullopt;
     if (const auto ends = free_zone(); ends && holds(*ends)) return ends;
     for (const Side edge : {Side::left, Side::right}) {
@@ -59,6 +59,7 @@ class ZoneSearch {
       if (!(value >= -negligible * size)) return false;
     }
     if (!(load > 0) || (!data_.whole && (ends.left < data_.left || ends.right > data_.right))) return false;
+    if (!traction.has_gap()) return true;
     const double gap = data_.period - width;
     const auto is_open = [&](double length, bool at_right) {
       double height = 0, largest = 0;
@@ -227,11 +228,10 @@ std::variant<PeriodicContact<R>, std::string> periodic_contact(const ContactProb
   }
   const Rational origin = origin_of(problem);
   const std::optional<ZoneEnds<double>> found = ZoneSearch(problem, origin).found();
-  if (!found)
-    return std::string("with a period, a closed form is for one zone of contact in each period, with a gap beside it");
-  if (problem.elasticity().indenter() && !(found->left_is_free && found->right_is_free))
-    return std::string("an elastic indenter touches with its edges, where the half-plane idealisation fails");
+  if (!found) return std::string("with a period, a closed form is for one zone of contact in each period");
   const ZoneData<R> data(problem, origin);
+  if (problem.elasticity().indenter() && !data.whole && !(found->left_is_free && found->right_is_free))
+    return std::string("an elastic indenter touches with its edges, where the half-plane idealisation fails");
   ZoneEnds<R> ends{found->left_is_free ? R(found->left) : data.left,
                    found->right_is_free ? R(found->right) : data.right, found->left_is_free, found->right_is_free};
   const R last = improve_ends(data, to_real<R>(problem.load()), ends);

@@ -40,7 +40,12 @@ class PeriodicSolution : public ContactSolution<R> {
   bool is_free(std::size_t point) const;
   Estimate<R> place(std::size_t point) const;
   std::size_t piece(std::size_t arc) const { return found_.pieces[arc]; }
-  SingularKind end_of(std::size_t point) const { return is_free(point) ? SingularKind::free : SingularKind::edge; }
+  /// Returns the length of the contact.
+  R width() const { return traction().has_gap() ? R(weight().period() - weight().arc(gap())) : weight().period(); }
+  SingularKind end_of(std::size_t point) const {
+    if (!traction().has_gap()) return SingularKind::friction_jump;
+    return is_free(point) ? SingularKind::free : SingularKind::edge;
+  }
   Exponent exponent(std::size_t point) const;
   Estimate<R> intensity(std::size_t point) const;
   /// Returns the estimated relative error of value() on an arc.
@@ -68,6 +73,9 @@ class PeriodicSolution : public ContactSolution<R> {
   Estimate<R> gap_at(const Place& place) const;
   /// Returns psi and psi', divided by c, at a place, without the constant of psi.
   std::pair<Estimate<R>, Estimate<R>> profile(const Rational& x) const;
+  R hilbert(std::size_t arc, const R& from_left, const R& from_right) const;
+  /// Returns the sum of the arcs from one to another, without the last.
+  R way(std::size_t from, std::size_t to) const;
   Estimate<R> shear_slope(const Place& place, const Sample<R>& sample) const;
   /// Returns S = (1/L) int s p dx.
   Estimate<R> mean_friction() const;
@@ -82,7 +90,8 @@ class PeriodicSolution : public ContactSolution<R> {
 };
 
 /// Solves periodic contact by a closed form: a flat punch in full contact of its support, or harmonics with one zone of
-/// contact in each period; with any number of friction jumps.
+/// contact in each period; both also without a gap; with friction jumps. Without a gap, the contact is said to end at the
+/// ends of the support, with the kind of a friction jump.
 template <Real R>
 Attempt<R> periodic_closed_form(const ContactProblem& problem);
 

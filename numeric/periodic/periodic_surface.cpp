@@ -84,13 +84,15 @@ Estimate<R> PeriodicSolution<R>::gap_at(const Place& place) const {
 
 template <Real R>
 Sample<R> PeriodicSolution<R>::at_point(const Place& place) const {
-  const std::size_t j = place.arc, last = gap();
+  const std::size_t j = place.arc, last = gap(), before = (j + last - 1) % last;
+  const bool gap_on_left = traction().has_gap() && j == 0;
   const auto limit = [&](Side side) -> Estimate<R> {
-    if (side == Side::left ? j == 0 : j == last) return {};  // no contact on that side
+    // No contact on that side.
+    if (traction().has_gap() && (side == Side::left ? j == 0 : j == last)) return {};
     const int sign = exponent(j).sign();
     if (sign > 0) return {};
     if (sign < 0) return {-infinity<R>(), R(0)};
-    const std::size_t arc = side == Side::left ? j - 1 : j;
+    const std::size_t arc = side == Side::left ? before : j;
     const R length = weight().arc(arc), half = length / 2;
     const R t = side == Side::left ? traction().value(arc, length, R(0), false, true)
                                    : traction().value(arc, R(0), length, true);
@@ -98,11 +100,11 @@ Sample<R> PeriodicSolution<R>::at_point(const Place& place) const {
   };
   Sample<R> sample;
   sample.traction = {limit(Side::left), limit(Side::right)};
-  sample.shear = {j == 0 ? Estimate<R>{} : shear_of(problem_, piece(j - 1), sample.traction.left),
+  sample.shear = {gap_on_left ? Estimate<R>{} : shear_of(problem_, piece(before), sample.traction.left),
                   j == last ? Estimate<R>{} : shear_of(problem_, piece(j), sample.traction.right)};
   sample.gap = Estimate<R>{};
   sample.slope = on_both_sides(compliance_ * profile(place.x).second);
-  if (j == 0 && !is_free(j)) sample.slope.left = {-infinity<R>(), R(0)};
+  if (gap_on_left && !is_free(j)) sample.slope.left = {-infinity<R>(), R(0)};
   if (j == last && !is_free(j)) sample.slope.right = {infinity<R>(), R(0)};
   return sample;
 }
@@ -145,18 +147,13 @@ Estimate<R> PeriodicSolution<R>::shear_slope(const Place& place, const Sample<R>
       sample.slope.left / compliance_ - to_real<R>(problem_.coupled_friction(piece(own))) * t - mean_friction();
   Estimate<R> sum = ratio * hilbert + gamma * t + Estimate<R>{gamma * to_real<R>(problem_.load()) / period, R(0)};
   const PiecewiseTraction<R>& panels = this->panels();
-  // The distances from x to arc k and from arc k to x, going right.
-  const auto way = [&](std::size_t from, std::size_t to) {
-    R length = 0;
-    for (std::size_t j = from; j != to; j = (j + 1) % weight().size()) length += weight().arc(j);
-    return length;
-  };
   for (std::size_t k = 0; k < gap(); ++k) {
     const Rational exact = problem_.shear_ratio(piece(k)) - problem_.shear_ratio(piece(own));
     if (exact == 0) continue;
     const R difference = to_real<R>(exact);
-    const R to_arc = place.from_right + way((place.arc + 1) % weight().size(), k);
-    const R from_arc = place.from_left + way((k + 1) % weight().size(), place.arc);
+    // The distances from x to the arc and from the arc to x, going right.
+    const R to_arc = place.from_right + way(place.arc + 1, k);
+    const R from_arc = place.from_left + way(k + 1, place.arc);
     const SurfacePlace<R> left = panels.segment(k).front().left, right = panels.segment(k).back().right;
     R integral = 0, size = 0;
     for (const TractionPanel<R>& panel : panels.segment(k)) {

@@ -17,19 +17,21 @@ Complex<R> unit_complex(const R& angle) {
   return {cos(angle), sin(angle)};
 }
 
-/// The expansion Y = factor q^-m sum_i series_i q^{2i} at +i oo.
+/// The expansion of Y times the phase, factor q^-m sum_i series_i q^{2i}, at +i oo.
 template <Real R>
 struct PeriodicExpansion {
   Complex<R> factor;
   std::vector<Complex<R>> series;
 
-  PeriodicExpansion(const PeriodicFundamentalSolution<R>& weight, int m, std::size_t terms) : series(terms) {
+  PeriodicExpansion(const PeriodicTraction<R>& traction, int m, std::size_t terms) : series(terms) {
+    const PeriodicFundamentalSolution<R>& weight = traction.weight;
     // sin(y (z - e))^p = (i/2)^p e^{i y p e} q^-p (1 - q^2 e^{-2iye})^p.
     R angle = 0;
     for (std::size_t j = 0; j < weight.size(); ++j) angle += weight.power(j).value * weight.point(j);
     factor = unit_complex<R>(weight.wave_number() * angle);
     for (int k = 0; k < (m + 4) % 4; ++k) factor = complex_product(factor, {R(0), R(1)});
     for (R* part : {&factor.re, &factor.im}) *part = ldexp(*part, -m);
+    factor = complex_product(factor, traction.phase);
     std::vector<Complex<R>> sums(terms);
     for (std::size_t k = 1; k < terms; ++k) {
       for (std::size_t j = 0; j < weight.size(); ++j) {
@@ -48,7 +50,7 @@ struct PeriodicExpansion {
     }
   }
 
-  /// Returns the coefficient of q^{-2n} in Y T.
+  /// Returns the coefficient of q^{-2n} in Y T times the phase.
   Complex<R> coefficient(const PeriodicTraction<R>& traction, int m, int n) const {
     Complex<R> sum{R(0), R(0)};
     for (std::size_t i = 0; i < traction.tau.size(); ++i) {
@@ -69,16 +71,14 @@ struct PeriodicExpansion {
 /// Returns the load and the closure, of which both are linear functions of tau.
 template <Real R>
 std::array<R, 2> conditions_of(const PeriodicTraction<R>& traction, const std::vector<R>& s, int m) {
-  const Complex<R> constant =
-      PeriodicExpansion<R>(traction.weight, m, traction.tau.size() + 1).coefficient(traction, m, 0);
-  const R period = traction.weight.period(), sign = R(traction.sign);
-  const R load = -period * sign * constant.im;
+  const Complex<R> constant = PeriodicExpansion<R>(traction, m, traction.tau.size() + 1).coefficient(traction, m, 0);
+  const R period = traction.weight.period(), load = -period * constant.im;
   R friction = s.back() * load;
   for (std::size_t k = 0; k + 1 < s.size(); ++k) {
     const R difference = s[k] - s.back();
     if (difference != 0) friction -= difference * tanh_sinh::panel_integral(traction.density(k)).value;
   }
-  return {load, sign * constant.re - friction / period};
+  return {load, constant.re - friction / period};
 }
 
 }  // namespace
@@ -101,8 +101,9 @@ std::pair<R, R> PeriodicTraction<R>::polynomial(const R& x) const {
 template <Real R>
 R PeriodicTraction<R>::value(std::size_t k, const R& from_left, const R& from_right, bool without_left,
                              bool without_right) const {
-  const R x = from_left < from_right || k == gap() ? weight.point(k) + from_left : weight.point(k + 1) - from_right;
-  const R factor = k == gap() ? R(sign) : R(-cosines[k]);
+  const bool from_last = k + 1 == weight.size();
+  const R x = from_left < from_right || from_last ? weight.point(k) + from_left : weight.point(k + 1) - from_right;
+  const R factor = k == gap() ? phase.re : R(-cosines[k]);
   return factor * weight.modulus(k, from_left, from_right, without_left, without_right) * polynomial(x).first;
 }
 
@@ -136,14 +137,13 @@ PeriodicState<R> periodic_state(PeriodicZone<R> zone) {
   const int m = zone.m, harmonics = static_cast<int>(zone.g.size());
   traction.parity = m == 0 ? 0 : 1;
   traction.tau.assign(static_cast<std::size_t>(harmonics + (1 - m) / 2 + (m == 0 ? 1 : 0)), {R(0), R(0)});
-  const PeriodicExpansion<R> expansion(traction.weight, m, zone.g.size() + 1);
-  const R sign = R(traction.sign);
+  const PeriodicExpansion<R> expansion(traction, m, zone.g.size() + 1);
   const R size = expansion.factor.re * expansion.factor.re + expansion.factor.im * expansion.factor.im;
   const Complex<R> inverse{expansion.factor.re / size, -expansion.factor.im / size};
   for (int n = harmonics; n > 0; --n) {
     const Complex<R> known = expansion.coefficient(traction, m, n);
     const Complex<R>& g = zone.g[static_cast<std::size_t>(n - 1)];
-    const Complex<R> rest{-known.re - sign * g.re / 2, -known.im - sign * g.im / 2};
+    const Complex<R> rest{-known.re - g.re / 2, -known.im - g.im / 2};
     traction.tau[static_cast<std::size_t>((2 * n - m) / 2)] = complex_product(rest, inverse);
   }
 
@@ -161,7 +161,7 @@ PeriodicState<R> periodic_state(PeriodicZone<R> zone) {
     state.closure = known[1];
   } else if (m == 0) {
     const std::array<R, 2> one = of_last_term({R(1), R(0)});
-    traction.tau[0].re = -known[1] / one[1];
+    traction.tau[0].re = traction.has_gap() ? R(-known[1] / one[1]) : R((zone.load - known[0]) / one[0]);
     state.load = known[0] + traction.tau[0].re * one[0];
   } else {
     const std::array<R, 2> re = of_last_term({R(1), R(0)}), im = of_last_term({R(0), R(1)});

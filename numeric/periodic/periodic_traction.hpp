@@ -15,6 +15,9 @@
 //   coefficient of q^{-2n} of +-Y T + g is 0 for n = N, ..., 1;   of q^0: S - i P/L.
 //
 // Its first N equations give all tau_k but the last one (m = 0, -1). S needs an integral only if the friction jumps.
+//
+// If the whole circle is in contact, the e_j are its friction jumps, m = 0, and (s - i) cos(pi alpha), s left of e_0,
+// stands in place of +-1. Then the real part of the last equation holds for every load.
 // Derived for this project; compare [Bal16, (4), (5)-(7)] for L = oo. docs/theory.md, "Periodic contact".
 
 #include <vector>
@@ -27,13 +30,14 @@ namespace steadyslide::numeric {
 
 template <Real R>
 struct PeriodicTraction {
-  PeriodicFundamentalSolution<R> weight;  ///< the last arc is the gap
+  PeriodicFundamentalSolution<R> weight;  ///< the last arc is the gap, if there is one
   std::vector<R> cosines;                 ///< cos(pi alpha) on the arcs of the contact
-  int sign;                               ///< of Y T: +1 if the right end is an edge, -1 if it is free
+  Complex<R> phase;                       ///< the factor of Y T: 1 if the right end is an edge, -1 if it is free
   int parity;                             ///< of the k in T: that of m
   std::vector<Complex<R>> tau{};          ///< for k = parity, parity + 2, ...
 
   std::size_t gap() const { return cosines.size(); }
+  bool has_gap() const { return weight.size() > cosines.size(); }
   /// Returns T(x), and as second member the sum of the sizes of its terms.
   std::pair<R, R> polynomial(const R& x) const;
   /// Returns t on arc k of the contact, or (u'/c - g) in the gap, without the powers as in modulus().
@@ -51,8 +55,8 @@ struct PeriodicZone {
   PeriodicTraction<R> traction;  ///< without tau
   std::vector<R> s;              ///< on the arcs of the contact
   std::vector<Complex<R>> g;     ///< A_n + i B_n, n = 1, 2, ...
-  R load;                        ///< P/c... the load of the problem, used if both ends are edges
-  int m;                         ///< the sum of the powers: free ends - 1
+  R load;                        ///< P, used unless it follows from the ends
+  int m;                         ///< the sum of the powers: free ends - 1, or 0 without a gap
 };
 
 /// The traction for given ends.

@@ -57,7 +57,7 @@ struct ZoneData {
     return static_cast<std::size_t>(found - jumps.begin());
   }
 
-  /// Returns the traction on a zone with these ends.
+  /// Returns the traction on a zone with these ends. If the ends of a whole period are not free, there is no gap.
   PeriodicState<R> state(const ZoneEnds<R>& ends) const {
     const std::size_t first = region(ends.left, Side::right), last = region(ends.right, Side::left);
     const auto friction = [&](std::size_t k) { return problem.coupled_friction(pieces[k]); };
@@ -65,7 +65,9 @@ struct ZoneData {
       return is_free ? free_exponent(end, friction(k)) : edge_exponent(end, friction(k));
     };
     std::vector<R> arcs, cosines, s;
-    std::vector<Power<R>> powers{Power<R>::of(exponent(End::left, ends.left_is_free, first))};
+    const bool closed = whole && !ends.left_is_free;
+    std::vector<Power<R>> powers{Power<R>::of(closed ? jump_exponent(friction(last), friction(first))
+                                                     : exponent(End::left, ends.left_is_free, first))};
     // Lengths between places of the data are rounded once.
     std::optional<Rational> from_exact;
     if (!ends.left_is_free) from_exact = problem.indenter().left();
@@ -82,15 +84,21 @@ struct ZoneData {
       s.push_back(to_real<R>(friction(k)));
       if (k < last) powers.push_back(Power<R>::of(jump_exponent(friction(k), friction(k + 1))));
     }
-    powers.push_back(Power<R>::of(exponent(End::right, ends.right_is_free, last)));
-    arcs.push_back(period - (ends.right - ends.left));
-    const int m = (ends.left_is_free ? 1 : 0) + (ends.right_is_free ? 1 : 0) - 1;
-    return periodic_state<R>({{PeriodicFundamentalSolution<R>(ends.left, std::move(arcs), std::move(powers)),
-                               std::move(cosines), ends.right_is_free ? -1 : 1, 0},
-                              std::move(s),
-                              g,
-                              to_real<R>(problem.load()),
-                              m});
+    Complex<R> phase{R(ends.right_is_free ? -1 : 1), R(0)};
+    int m = (ends.left_is_free ? 1 : 0) + (ends.right_is_free ? 1 : 0) - 1;
+    if (closed) {
+      phase = {s.back() * cosines.back(), -cosines.back()};
+      m = 0;
+    } else {
+      powers.push_back(Power<R>::of(exponent(End::right, ends.right_is_free, last)));
+      arcs.push_back(period - (ends.right - ends.left));
+    }
+    return periodic_state<R>(
+        {{PeriodicFundamentalSolution<R>(ends.left, std::move(arcs), std::move(powers)), std::move(cosines), phase, 0},
+         std::move(s),
+         g,
+         to_real<R>(problem.load()),
+         m});
   }
 
   /// Returns psi/c without its constant.
