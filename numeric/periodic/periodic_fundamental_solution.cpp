@@ -15,9 +15,9 @@ PeriodicFundamentalSolution<R>::PeriodicFundamentalSolution(const R& first, std:
 
 template <Real R>
 R PeriodicFundamentalSolution<R>::ratio(const R& distance) const {
-  // The smallest numbers of the type have few digits, so that their sine has none.
-  const R z = wave_number_ * distance, square = z * z;
-  return wave_number_ * (square * square < epsilon<R>() ? R(1 - square / 6) : R(sin(z) / z));
+  // The smallest numbers of the type have few digits. So the sine is divided by its own argument.
+  const R z = wave_number_ * distance;
+  return z == 0 ? wave_number_ : R(wave_number_ * (sin(z) / z));
 }
 
 template <Real R>
