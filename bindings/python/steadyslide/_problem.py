@@ -49,6 +49,16 @@ class Problem:
         The material of the indenter, {"poisson": ..., "young": ...}.
     units : dict
         Names of units for the axes of pictures, {"length": "mm", "force": "N"}.
+    layers : list of dict
+        Layers from the surface down, {"thickness": ..., "young": ..., "poisson": ..., "below": "bonded" or "slip"}.
+    base : {"elastic", "rigid"}
+        What lies under the layers: the material of `poisson` and `young`, or a rigid body, which has none.
+    symbol : text or path
+        A table of symbols, rows k, W, gamma V, or the name of its file.
+    period : number
+        Contact repeats with this period.
+    harmonics : list of dict
+        A profile with the period, {"n": 1, "cos": ..., "sin": ...}.
     wear : dict
         Archard's coefficients, {"coefficients": one for each friction value or one for all, "body": ...}; see wear().
 
@@ -60,7 +70,7 @@ class Problem:
     Notes
     -----
     All data are exact. Numbers are integers, fractions.Fraction, decimal.Decimal, texts such as "1/3" and floats; a float
-    is the shortest decimal that gives it back. A problem has one of profile, pieces and samples.
+    is the shortest decimal that gives it back. A problem has one of profile, pieces, samples and harmonics.
 
     Examples
     --------
@@ -68,6 +78,9 @@ class Problem:
     >>> p = ss.Problem(load=1, poisson="0.2", friction=["0.1", "0.5"], jumps=[0], profile="0")
     >>> p.friction
     [Fraction(1, 10), Fraction(1, 2)]
+    >>> layer = {"thickness": "0.2", "young": 1200, "poisson": "0.4"}
+    >>> ss.Problem(load=1, base="rigid", layers=[layer], friction=["0.3"], profile="x^2/2").solve().contact[0].left.kind
+    'free'
     >>> ss.Problem(load=3, poisson="0.48", young=1200, friction=([0], [0.1, 0.5]), samples=([-1, 0, 1], [0.1, 0, 0.1])).support
     (Fraction(-1, 1), Fraction(1, 1))
     """
@@ -81,7 +94,10 @@ class Problem:
                  pieces: Sequence[tuple[Exact, Exact]] | None = None,
                  samples: str | PathLike[str] | Sequence[Any] | np.ndarray | Mapping[str, Any] | None = None,
                  support: Sequence[Exact] | np.ndarray | None = None, elastic: Mapping[str, Exact] | None = None,
-                 units: Mapping[str, str] | None = None, wear: Mapping[str, Any] | None = None) -> None:
+                 units: Mapping[str, str] | None = None, wear: Mapping[str, Any] | None = None,
+                 layers: Sequence[Mapping[str, Any]] | None = None, base: str | None = None,
+                 symbol: str | PathLike[str] | None = None, period: Exact | None = None,
+                 harmonics: Sequence[Mapping[str, Any]] | None = None) -> None:
         if isinstance(pieces, (list, tuple)):
             pieces = [dict(zip(("to", "profile"), piece)) if isinstance(piece, (list, tuple)) else piece for piece in pieces]
         if _document.is_pair(friction):
@@ -91,8 +107,11 @@ class Problem:
             friction = {"values": friction, "jumps": jumps}
         self._set({
             "load": load, "load_at": load_at, "sliding": sliding, "units": units,
-            "half_space": {"poisson": poisson, "young": young, "plane": plane, "gamma": gamma}, "friction": friction,
-            "indenter": {"support": support, "profile": profile, "pieces": pieces, "samples": samples, "elastic": elastic},
+            "half_space": {"poisson": poisson, "young": young, "plane": plane, "gamma": gamma, "layers": layers, "base": base,
+                           "symbol": symbol, "period": period},
+            "friction": friction,
+            "indenter": {"support": support, "profile": profile, "pieces": pieces, "samples": samples,
+                         "harmonics": harmonics, "elastic": elastic},
             "wear": wear})
 
     def _set(self, document, name=""):
