@@ -76,9 +76,11 @@ TEST_CASE("wear: a killed and resumed run gives the same files to the byte") {
   for (const auto& [signal, code] : {std::pair("KILL", 128 + SIGKILL), {"TERM", 130}}) {
     const std::string run = std::string(STEADYSLIDE_EXECUTABLE) + " wear blade.toml --distance 3 --steps 150 " +
                             "--cells 20000 -o out --profiles later";
-    const Finished killed = run_other(
-        {"bash", "-c", run + " & until [ -e out.part ]; do sleep 0.01; done; kill -" + signal + " $!; wait $!"},
-        folder.path());
+    const Finished killed =
+        run_other({"bash", "-c",
+                   run + " & for i in {1..6000}; do [ -e out.part ] && break; sleep 0.01; done; kill -" + signal +
+                       " $!; wait $!"},
+                  folder.path());
     REQUIRE(killed.code == code);
     const std::vector<std::string> names = folder.names();
     REQUIRE(std::count(names.begin(), names.end(), "out.part") == 1);
