@@ -279,6 +279,13 @@ TEST_CASE("random wear: the volume is the integral of the rate, and the certific
   }));
 }
 
+TEST_CASE("a body that comes back with a period has no wear of its own") {
+  const ContactProblem periodic = three_coatings().with_body(Body::periodic(4));
+  CHECK(wear_of(periodic).body() == 0);
+  CHECK_THROWS_WITH(wear_of(periodic, {1}, 1),
+                    "a body that comes back; wear.body is for a body that is passed once; period 4");
+}
+
 TEST_CASE("wear in double has a range") {
   const ContactProblem problem = three_coatings();
   CHECK_THROWS_WITH(WearRun(problem, wear_of(problem), {0}),
