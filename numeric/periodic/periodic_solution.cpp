@@ -177,32 +177,56 @@ EstimatedError<R> PeriodicSolution<R>::estimated_error() const {
   return worst;
 }
 
-/// Returns H_L t at a place inside an arc of the contact, by the trapezoidal rule, which the solver does not use. Next to
-/// the place it takes t(x + v) - t(x - v).
+/// Returns int value() kernel over a part of an arc, by the trapezoidal rule, which the solver does not use. The rule needs
+/// panels that are short against the waves of T. The kernel takes the distances from both ends of the arc.
+template <Real R>
+template <class Kernel>
+R PeriodicSolution<R>::trapezoidal_integral(std::size_t k, const R& from_left, const R& from_right,
+                                            const Kernel& kernel) const {
+  const R length = weight().arc(k) - (from_left + from_right);
+  const double waves = static_cast<double>(length / weight().period()) * static_cast<double>(4 * found_.g.size());
+  const int parts = 1 + static_cast<int>(waves);
+  R sum = 0;
+  for (int i = 0; i < parts; ++i) {
+    const R left = from_left + i * length / parts, right = from_right + (parts - 1 - i) * length / parts;
+    PanelDensity<R> density = traction().density(k, left, right);
+    density.smooth = [smooth = density.smooth, &kernel, left, right](const Node<R>& node) -> R {
+      return smooth(node) * kernel(left + node.from_left, right + node.from_right);
+    };
+    sum += trapezoidal::Grid<R>({density}).integral();
+  }
+  return sum;
+}
+
+/// Returns H_L t at a place inside an arc of the contact. Next to the place it takes t(x + v) - t(x - v).
 template <Real R>
 R PeriodicSolution<R>::hilbert(std::size_t k, const R& from_left, const R& from_right) const {
   const PeriodicTraction<R>& t = traction();
-  const R y = weight().wave_number(), d = min(from_left, from_right) / 2;
-  const auto integral = [](const PanelDensity<R>& density) { return trapezoidal::Grid<R>({density}).integral(); };
-  // `right` and `left` are the distances of the density's ends from the place, going right and left from the place.
-  const auto times_kernel = [&](PanelDensity<R> density, const R& right, const R& left) {
-    density.smooth = [smooth = density.smooth, y, right, left](const Node<R>& node) -> R {
-      const R to_right = right + node.from_left, to_left = left + node.from_right;
-      return smooth(node) * (to_right < to_left ? R(1 / tan(y * to_right)) : R(-1 / tan(y * to_left)));
-    };
-    return integral(density);
-  };
+  const R y = weight().wave_number(), period = weight().period();
+  const R d = min(min(from_left, from_right) / 2, R(period / static_cast<double>(4 + 4 * found_.g.size())));
   const auto difference = [&t, &from_left, &from_right, k, y](const Node<R>& node) -> R {
     const R& v = node.from_left;
     return (t.value(k, from_left + v, from_right - v) - t.value(k, from_left - v, from_right + v)) / tan(y * v);
   };
-  R sum = integral({{R(0), d, d}, {}, {}, difference});
-  sum += times_kernel(t.density(k, Side::left, from_left - d), weight().period() - from_left, d);
-  sum += times_kernel(t.density(k, Side::right, from_right - d), d, weight().period() - from_right);
+  R sum = trapezoidal::Grid<R>({PanelDensity<R>{{R(0), d, d}, {}, {}, difference}}).integral();
+  // The cotangent of the distance from the place, going right and left from it.
+  const auto cotangent = [&y](const R& to_right, const R& to_left) {
+    return to_right < to_left ? R(1 / tan(y * to_right)) : R(-1 / tan(y * to_left));
+  };
+  sum += trapezoidal_integral(k, R(0), R(from_right + d), [&](const R& left, const R& right) -> R {
+    return cotangent(R(period - from_left + left), R(right - from_right));
+  });
+  sum += trapezoidal_integral(k, R(from_left + d), R(0), [&](const R& left, const R& right) -> R {
+    return cotangent(R(left - from_left), R(period - from_right + right));
+  });
   for (std::size_t j = 0; j < gap(); ++j) {
-    if (j != k) sum += times_kernel(t.density(j), from_right + way(k + 1, j), from_left + way(j + 1, k));
+    if (j == k) continue;
+    const R to_arc = from_right + way(k + 1, j), from_arc = from_left + way(j + 1, k);
+    sum += trapezoidal_integral(j, R(0), R(0), [&](const R& left, const R& right) -> R {
+      return cotangent(R(to_arc + left), R(from_arc + right));
+    });
   }
-  return sum / weight().period();
+  return sum / period;
 }
 
 template <Real R>
@@ -220,7 +244,7 @@ Residuals<R> PeriodicSolution<R>::residuals() const {
   // On all arcs, or on some if there are many: each place needs an integral over every arc.
   const std::size_t every = (gap() + 7) / 8;
   for (std::size_t k = 0; k < gap(); ++k) {
-    load -= trapezoidal::Grid<R>({traction().density(k)}).integral();
+    load -= trapezoidal_integral(k, R(0), R(0), [](const R&, const R&) { return R(1); });
     for (const double part : {0.001, 0.4, 0.97}) {
       const R length = weight().arc(k), from_left = length * part, from_right = length - from_left;
       const R t = traction().value(k, from_left, from_right), s = to_real<R>(problem_.coupled_friction(piece(k)));
@@ -251,7 +275,8 @@ Residuals<R> PeriodicSolution<R>::residuals() const {
 template <Real R>
 const PiecewiseTraction<R>& PeriodicSolution<R>::panels() const {
   return panels_([this] {
-    PiecewiseTraction<R> result(problem_.elasticity());
+    // The waves of T are resolved like a polynomial.
+    PiecewiseTraction<R> result(problem_.elasticity(), static_cast<int>(4 * found_.g.size()));
     for (std::size_t k = 0; k < gap(); ++k) {
       const std::size_t before = (k + weight().size() - 1) % weight().size(), next = (k + 1) % weight().size();
       const Surroundings<R> around{weight().power(k).value != 0, weight().power(k + 1).value != 0, weight().arc(before),

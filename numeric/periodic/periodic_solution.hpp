@@ -73,6 +73,8 @@ class PeriodicSolution : public ContactSolution<R> {
   Estimate<R> gap_at(const Place& place) const;
   /// Returns psi and psi', divided by c, at a place, without the constant of psi.
   std::pair<Estimate<R>, Estimate<R>> profile(const Rational& x) const;
+  template <class Kernel>
+  R trapezoidal_integral(std::size_t arc, const R& from_left, const R& from_right, const Kernel& kernel) const;
   R hilbert(std::size_t arc, const R& from_left, const R& from_right) const;
   /// Returns the sum of the arcs from one to another, without the last.
   R way(std::size_t from, std::size_t to) const;

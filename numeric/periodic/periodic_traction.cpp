@@ -108,25 +108,14 @@ R PeriodicTraction<R>::value(std::size_t k, const R& from_left, const R& from_ri
 }
 
 template <Real R>
-PanelDensity<R> PeriodicTraction<R>::density(std::size_t k) const {
-  const R left = weight.point(k), length = weight.arc(k);
-  return {{left, left + length, length}, weight.power(k), weight.power(k + 1), [this, k](const Node<R>& node) {
-            return value(k, node.from_left, node.from_right, true, true);
-          }};
-}
-
-template <Real R>
-PanelDensity<R> PeriodicTraction<R>::density(std::size_t k, Side end, const R& length) const {
-  const R rest = weight.arc(k) - length;
-  const R left = end == Side::left ? weight.point(k) : R(weight.point(k) + rest);
-  const Panel<R> panel{left, left + length, length};
-  if (end == Side::left) {
-    return {panel, weight.power(k), {}, [this, k, rest](const Node<R>& node) {
-              return value(k, node.from_left, rest + node.from_right, true);
-            }};
-  }
-  return {panel, {}, weight.power(k + 1), [this, k, rest](const Node<R>& node) {
-            return value(k, rest + node.from_left, node.from_right, false, true);
+PanelDensity<R> PeriodicTraction<R>::density(std::size_t k, const R& from_left, const R& from_right) const {
+  const R left = weight.point(k) + from_left, length = weight.arc(k) - (from_left + from_right);
+  const bool at_left = from_left == 0, at_right = from_right == 0;
+  return {{left, left + length, length},
+          at_left ? weight.power(k) : Power<R>{},
+          at_right ? weight.power(k + 1) : Power<R>{},
+          [=, this](const Node<R>& node) {
+            return value(k, from_left + node.from_left, from_right + node.from_right, at_left, at_right);
           }};
 }
 

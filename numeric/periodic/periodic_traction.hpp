@@ -43,10 +43,9 @@ struct PeriodicTraction {
   /// Returns t on arc k of the contact, or (u'/c - g) in the gap, without the powers as in modulus().
   R value(std::size_t k, const R& from_left, const R& from_right, bool without_left = false,
           bool without_right = false) const;
-  /// Returns value() on the arc for the quadrature routes.
-  PanelDensity<R> density(std::size_t k) const;
-  /// The same for the part of the arc with this length at one of its ends.
-  PanelDensity<R> density(std::size_t k, Side end, const R& length) const;
+  /// Returns value() for the quadrature routes, on the part of the arc that begins at the distance `from_left` from its
+  /// left end and ends at `from_right` from its right end. At 0 it has the power of that end.
+  PanelDensity<R> density(std::size_t k, const R& from_left = R(0), const R& from_right = R(0)) const;
 };
 
 /// The data of a zone.
