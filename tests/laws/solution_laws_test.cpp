@@ -305,7 +305,8 @@ TEST_CASE("estimated errors of closed forms are honest") {
     // The same without edges, and often without a gap.
     const ContactProblem whole =
         problem.with_body(Body::periodic(problem.indenter().right() - problem.indenter().left()));
-    if (closed_form<double>(whole).solution) errors_are_honest(whole);
+    const auto found = closed_form<double>(whole).solution;
+    if (found && !found->singular_points().empty()) errors_are_honest(whole);
   }));
 }
 
