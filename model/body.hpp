@@ -10,7 +10,7 @@
 
 namespace steadyslide {
 
-/// What holds the lower side of a layer: bonded, or free to slip without friction and without a gap.
+/// The lower side of a layer: bonded, or free to slip without friction and without a gap.
 enum class Interface { bonded, slip };
 
 struct Layer {

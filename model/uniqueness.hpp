@@ -1,5 +1,5 @@
 #pragma once
-// Whether a solution is the only one, by the theorems of docs/theory.md.
+// The theorems of docs/theory.md by which a solution is the only one.
 
 #include <string>
 

@@ -72,7 +72,7 @@ struct NamedSize {
   std::string size;
 };
 
-/// What is said of a solution if a theorem on uniqueness covers its problem (docs/theory.md), and if none does.
+/// The words for a solution whose problem a theorem on uniqueness covers (docs/theory.md), and for one without a theorem.
 inline constexpr const char* only_solution = "the only solution";
 inline constexpr const char* no_uniqueness = "on this body uniqueness is proved for constant friction alone";
 

@@ -204,7 +204,7 @@ TEST_CASE("a flat surface without a gap: the effective friction is tan(pi mean(a
     CHECK(zone.width.value == 1);
     CHECK(solution->singular_points().size() == s.size());
   }
-  // Without jumps the pressure is constant.
+  // The pressure is constant if there is no jump.
   CHECK(solved<double>(periodic(2, {0.7_r}, {}, flat(-1, 1)))->at(0.3_r).traction.left.value == doctest::Approx(-0.5));
 }
 
