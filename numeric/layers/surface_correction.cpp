@@ -23,6 +23,10 @@ class LayeredCorrection : public SurfaceCorrection<R> {
   R coupling(const R& y) const override { return kernel(y).coupling().at(y); }
   R coupling_slope(const R& y) const override { return kernel(y).coupling_slope().at(y); }
   R radius(const R& y) const override { return sqrt(R(y * y + strip_ * strip_)); }
+  std::pair<R, R> symbols(const R& k) const override {
+    const SymbolValues<R> values = symbols_.at(k);
+    return {values.normal, symbols_.gamma() == 0 ? R(1) : R(values.coupling / symbols_.gamma())};
+  }
   bool is_absolute() const override { return kernel_.is_absolute(); }
 
  private:
@@ -70,6 +74,7 @@ class PeriodicCorrection : public SurfaceCorrection<R> {
   R coupling(const R& y) const override { return gamma_ * wave_number_ * y; }
   R coupling_slope(const R&) const override { return gamma_ * wave_number_; }
   R radius(const R& y) const override { return period_ - abs(y); }
+  std::pair<R, R> symbols(const R&) const override { return {R(1), R(1)}; }
   std::optional<R> period() const override { return period_; }
 
  private:

@@ -13,6 +13,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "model/contact_problem.hpp"
 #include "numeric/number/real.hpp"
@@ -31,6 +32,8 @@ class SurfaceCorrection {
   virtual R coupling_slope(const R& y) const = 0;  ///< T'
   /// Returns the distance from a real y to the nearest singularity of N and T in the complex plane.
   virtual R radius(const R& y) const = 0;
+  /// Returns W and V of a wave number k > 0. V is 1 if gamma is 0.
+  virtual std::pair<R, R> symbols(const R& k) const = 0;
   /// Returns L if N(y) - log|y| has the period L; absent otherwise.
   virtual std::optional<R> period() const { return std::nullopt; }
   /// True if N(y) - log|y| tends to 0 for large y, so that displacements are absolute: on a rigid base.

@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 namespace steadyslide::numeric::variational {
@@ -72,16 +74,18 @@ std::vector<std::complex<double>> GalerkinOperator::circulant(const std::vector<
   return {circle.modes().begin(), circle.modes().end()};
 }
 
-std::vector<std::complex<double>> GalerkinOperator::coupling_spectrum(bool at_end, double s, double length,
-                                                                      const Fourier& circle) const {
-  if (couplings_[0].entries.empty()) return std::vector<std::complex<double>>(circle.modes().size());
-  std::vector<std::complex<double>> result = circulant(couplings_[at_end ? 1 : 0].entries, circle);
-  // s = gamma f + shift, with the same gamma everywhere.
-  const std::vector<double>& f = friction_.signed_friction;
-  const auto i = static_cast<std::size_t>(
-      std::max_element(f.begin(), f.end(), [](double x, double y) { return std::abs(x) < std::abs(y); }) - f.begin());
-  const double gamma_f = friction_.whole[i] / length - friction_.shift;
-  for (std::complex<double>& value : result) value *= gamma_f == 0 ? 0 : (s - friction_.shift) * f[i] / gamma_f;
+std::vector<std::complex<double>> GalerkinOperator::spectrum(bool at_end, double length, const Fourier& circle) const {
+  if (kernel_.is_half_plane()) return circulant(kernels_[at_end ? 1 : 0].entries, circle);
+  const SurfaceKernel half_plane;
+  std::vector<std::complex<double>> result =
+      circulant(toeplitz(size(),
+                         [&](double cells) {
+                           if (at_end) return half_plane.from_equal_cell(length, cells + friction_.sign * 0.5);
+                           return half_plane.mean_of_equal_cells(length, static_cast<std::size_t>(std::abs(cells)));
+                         }),
+                circle);
+  const double lowest = 2 * std::numbers::pi / (length * static_cast<double>(circle.size()));
+  for (std::size_t k = 1; k < result.size(); ++k) result[k] *= kernel_.symbols(lowest * static_cast<double>(k)).first;
   return result;
 }
 

@@ -46,14 +46,10 @@ class GalerkinOperator {
   const SurfaceKernel& kernel() const { return kernel_; }
   /// Returns the length of the transforms; 0 if the mesh is not uniform.
   std::size_t transform_size() const { return fourier_ ? fourier_->size() : 0; }
-  /// Returns the eigenvalues of k's circulant on a circle of cells with the length of the transform, on a uniform mesh:
-  /// for means over cells, or for values at the cells' ends.
-  std::vector<std::complex<double>> spectrum(bool at_end, const Fourier& circle) const {
-    return circulant(kernels_[at_end ? 1 : 0].entries, circle);
-  }
-  /// Returns the same for f j, where f is that of cells with this s; `length` is that of a cell.
-  std::vector<std::complex<double>> coupling_spectrum(bool at_end, double s, double length,
-                                                      const Fourier& circle) const;
+  /// Returns approximate eigenvalues of k's circulant on a circle of cells with the length of the transform, on a uniform
+  /// mesh with cells of this length: for means over cells, or for values at the cells' ends. They are those of the
+  /// half-plane times W, which is positive.
+  std::vector<std::complex<double>> spectrum(bool at_end, double length, const Fourier& circle) const;
 
  private:
   /// A kernel on equal cells: entries by i - j, from 1 - size() on, and the spectrum.

@@ -109,14 +109,15 @@ std::vector<std::complex<double>> SurfaceInverse::reciprocal(const Kind& kind, c
   const double s = kind.s;
   const CellFriction& friction = influence_.friction();
   const double rest = kind.at_end ? friction.sign * 0.5 : 0;
-  std::vector<std::complex<double>> result = influence_.spectrum(kind.at_end, fourier);
-  const std::vector<std::complex<double>> coupling = influence_.coupling_spectrum(kind.at_end, s, length_, fourier);
+  std::vector<std::complex<double>> result = influence_.spectrum(kind.at_end, length_, fourier);
   const auto n = static_cast<double>(fourier.size());
   for (std::size_t k = 0; k < result.size(); ++k) {
     const double cot = k == 0 ? 0 : 1 / std::tan(std::numbers::pi * static_cast<double>(k) / n);
     // The sum over the cells before plus half of the cell itself has the symbol -i h/2 cot(theta/2).
-    const std::complex<double> symbol =
-        result[k] + coupling[k] + kind.diagonal + s * length_ * std::complex(rest, -cot / 2);
+    const double wave_number = 2 * std::numbers::pi * static_cast<double>(k) / (n * length_);
+    const double turned =
+        k == 0 ? s : friction.shift + (s - friction.shift) * influence_.kernel().symbols(wave_number).second;
+    const std::complex<double> symbol = result[k] + kind.diagonal + turned * length_ * std::complex(rest, -cot / 2);
     result[k] = std::conj(symbol) / std::norm(symbol);
   }
   return result;

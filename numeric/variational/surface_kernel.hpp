@@ -43,6 +43,11 @@ class SurfaceKernel {
   SurfaceKernel(std::shared_ptr<const SurfaceCorrection<double>> body, double unit, double friction);
   bool is_half_plane() const { return !body_; }
 
+  /// Returns the body's symbols over those of the half-plane at a wave number > 0 (surface_correction.hpp).
+  std::pair<double, double> symbols(double wave_number) const {
+    return body_ ? body_->symbols(wave_number / unit_) : std::pair(1.0, 1.0);
+  }
+
   /// Returns k at a distance other than 0.
   double at(double distance) const;
   /// Returns the mean of k over two cells [a, b] and [c, d], as for mean_log(); of the half-plane only.
