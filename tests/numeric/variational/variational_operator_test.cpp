@@ -149,7 +149,7 @@ TEST_CASE("no entry is negative, no eigenvalue of the logarithm's circulant is, 
     const CellMesh mesh(problem, n);
     const GalerkinOperator b(mesh, cell_friction(problem, mesh));
     const Fourier circle(b.transform_size());
-    const std::vector<std::complex<double>> spectrum = b.spectrum(false, circle);
+    const std::vector<std::complex<double>> spectrum = b.spectrum(false, mesh.length(0), circle);
     CHECK(spectrum.size() == b.transform_size() / 2 + 1);
     for (const std::complex<double>& value : spectrum) {
       CHECK(value.real() > 0);
