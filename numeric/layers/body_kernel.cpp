@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "numeric/layers/chebyshev_points.hpp"
 #include "numeric/layers/symbol_transform.hpp"
 
 namespace steadyslide::numeric {
@@ -11,28 +12,6 @@ template <Real R>
 constexpr std::size_t chebyshev_nodes = std::same_as<R, double>   ? 28
                                         : std::same_as<R, Real50> ? 72
                                                                   : 136;
-
-/// Chebyshev's points on [-1, 1], and the coefficients of the series through values there.
-template <Real R>
-struct ChebyshevPoints {
-  static constexpr std::size_t n = chebyshev_nodes<R>;
-  std::vector<R> cosines;  ///< of pi k/(2n), k = 0..4n-1
-
-  ChebyshevPoints() {
-    for (std::size_t k = 0; k < 4 * n; ++k)
-      cosines.push_back(cos(R(pi<R>() * static_cast<int>(k) / (2 * static_cast<int>(n)))));
-  }
-  R place(std::size_t k) const { return cosines[2 * k + 1]; }
-  std::vector<R> series(const std::vector<R>& values) const {
-    std::vector<R> result;
-    for (std::size_t m = 0; m < n; ++m) {
-      R sum = 0;
-      for (std::size_t k = 0; k < n; ++k) sum += values[k] * cosines[m * (2 * k + 1) % (4 * n)];
-      result.push_back(sum * (m == 0 ? 1 : 2) / static_cast<int>(n));
-    }
-    return result;
-  }
-};
 
 template <Real R>
 using Panels = std::vector<typename KernelFunction<R>::Panel>;
@@ -53,15 +32,16 @@ struct BodyKernel<R>::Slopes {
     const R& last_wave_number = symbols.last_wave_number();
     at_zero = transform.normal_at_zero();
     if (last_wave_number == 0) return;
-    static const ChebyshevPoints<R> points;
+    static const ChebyshevPoints<R> points(chebyshev_nodes<R>);
     R left = 0;
     R length = 40 / last_wave_number;
+    R tail_before = infinity<R>();
     while (left < reach) {
       const R right = left + 5 * length / 4 >= reach ? reach : R(left + length);
       std::vector<R> n;
       std::vector<R> t;
       R largest = 0;
-      for (std::size_t k = 0; k < ChebyshevPoints<R>::n; ++k) {
+      for (std::size_t k = 0; k < points.size(); ++k) {
         const auto slopes = transform.at(R(left + (right - left) * (1 + points.place(k)) / 2));
         n.push_back(slopes.normal);
         t.push_back(slopes.coupling);
@@ -70,14 +50,19 @@ struct BodyKernel<R>::Slopes {
       n = points.series(n);
       t = points.series(t);
       // The second term is the size of the parts that cancel.
-      const R tolerance = 8 * epsilon<R>() * (largest + transform.largest_defect() / right);
-      if (drop_tail(n, tolerance) >= 4 && drop_tail(t, tolerance) >= 4) {
+      const R tolerance = 8 * series_accuracy<R>() * (largest + transform.largest_defect() / right);
+      const R tail = tail_of(n, t);
+      if (is_exact(tail, tail_before, tolerance)) {
+        drop_tail(n, tolerance);
+        drop_tail(t, tolerance);
         normal.push_back({left, right, std::move(n)});
         coupling.push_back({left, right, std::move(t)});
         left = right;
-        length *= 2;
+        tail_before = infinity<R>();
+        length *= tail <= tolerance ? 2 : 4;  // a panel at its rounding errors takes two trials
       } else {
         length = (right - left) / 2;
+        tail_before = tail;
         if (length * last_wave_number < 0.01) throw std::runtime_error("the kernel of a body has no Chebyshev series");
       }
     }

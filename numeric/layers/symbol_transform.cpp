@@ -1,6 +1,8 @@
 #include "numeric/layers/symbol_transform.hpp"
 
-#include "numeric/quadrature/jacobi_rule.hpp"
+#include <stdexcept>
+
+#include "numeric/layers/chebyshev_points.hpp"
 
 namespace steadyslide::numeric {
 namespace {
@@ -10,52 +12,43 @@ constexpr std::size_t legendre_nodes = std::same_as<R, double>   ? 24
                                        : std::same_as<R, Real50> ? 56
                                                                  : 104;
 
-constexpr int most_panel_halvings = 50;
+constexpr std::size_t most_panels = 2000;  ///< beside those of given symbols
 
-/// Gauss' rule on [-1, 1], and the numbers that make Legendre coefficients of values at its nodes.
+/// Legendre series through values at Chebyshev's points. The way by Chebyshev's series keeps rounding errors small.
 template <Real R>
-struct LegendreRule {
-  std::vector<R> places;
-  std::vector<R> weights;
-  std::vector<std::vector<R>> rows;  ///< row m: weight (2m + 1)/2 P_m(place)
+struct LegendreSeries {
+  ChebyshevPoints<R> points{legendre_nodes<R>};
+  std::vector<std::vector<R>> rows;  ///< T_m in terms of P_0, ..., P_m
 
-  LegendreRule() {
-    const UnitRule<R> unit = jacobi_rule<R>({}, {}, static_cast<int>(legendre_nodes<R>));
-    rows.assign(legendre_nodes<R>, std::vector<R>(legendre_nodes<R>));
-    for (std::size_t k = 0; k < legendre_nodes<R>; ++k) {
-      const R x = unit.from_left[k] - unit.from_right[k];
-      places.push_back(x);
-      weights.push_back(2 * unit.weights[k]);
-      R before = 0;
-      R value = 1;  // P_m
-      for (std::size_t m = 0; m < legendre_nodes<R>; ++m) {
-        const auto degree = static_cast<int>(m);
-        rows[m][k] = weights[k] * (2 * degree + 1) / 2 * value;
-        const R next = ((2 * degree + 1) * x * value - degree * before) / (degree + 1);
-        before = value;
-        value = next;
+  LegendreSeries() {
+    const std::size_t n = legendre_nodes<R>;
+    rows.assign(n, std::vector<R>(n + 1, R(0)));
+    rows[0][0] = 1;
+    rows[1][1] = 1;
+    for (std::size_t m = 1; m + 1 < n; ++m) {
+      for (std::size_t j = 0; j <= m + 1; ++j) {
+        // x P_i = ((i + 1) P_{i+1} + i P_{i-1})/(2i + 1)
+        const auto i = static_cast<int>(j);
+        const R below = j == 0 ? R(0) : R(rows[m][j - 1] * i / (2 * i - 1));
+        rows[m + 1][j] = 2 * (below + rows[m][j + 1] * (i + 1) / (2 * i + 3)) - rows[m - 1][j];
       }
     }
   }
 
-  /// The nodes are rounded, so that a constant part would leave errors in all coefficients.
   std::vector<R> coefficients(const std::vector<R>& values) const {
-    const R constant = values[values.size() / 2];
-    std::vector<R> result;
-    for (const std::vector<R>& row : rows) {
-      R sum = 0;
-      for (std::size_t k = 0; k < row.size(); ++k) sum += row[k] * (values[k] - constant);
-      result.push_back(sum);
+    const std::vector<R> chebyshev = points.series(values);
+    std::vector<R> result(chebyshev.size(), R(0));
+    for (std::size_t m = 0; m < result.size(); ++m) {
+      for (std::size_t j = m % 2; j <= m; j += 2) result[j] += rows[m][j] * chebyshev[m];
     }
-    result[0] += constant;
     return result;
   }
 };
 
 template <Real R>
-const LegendreRule<R>& legendre_rule() {
-  static const LegendreRule<R> rule;
-  return rule;
+const LegendreSeries<R>& legendre_series() {
+  static const LegendreSeries<R> series;
+  return series;
 }
 
 /// Returns sin and cos of x y, to the last digit of their absolute value also for large products in double.
@@ -121,39 +114,46 @@ SymbolTransform<R>::SymbolTransform(const BodySymbols<R>& symbols) {
     while (end / 2 >= symbols.last_wave_number()) end /= 2;
     cuts = {R(0), end};
   }
-  for (std::size_t k = 0; k + 1 < cuts.size(); ++k) add(symbols, cuts[k], cuts[k + 1], 0);
+  for (std::size_t k = 0; k + 1 < cuts.size(); ++k) add(symbols, cuts[k], cuts[k + 1], infinity<R>());
 }
 
 template <Real R>
-void SymbolTransform<R>::add(const BodySymbols<R>& symbols, const R& left, const R& right, int halvings) {
-  const LegendreRule<R>& rule = legendre_rule<R>();
+void SymbolTransform<R>::add(const BodySymbols<R>& symbols, const R& left, const R& right, const R& tail_before) {
+  const LegendreSeries<R>& series = legendre_series<R>();
   Panel panel{(left + right) / 2, (right - left) / 2, {}, {}};
   const R scale = (4 - log(epsilon<R>())) / symbols.last_wave_number();
-  R at_zero = 0;
   R largest = 0;
   std::vector<R> normal;
   std::vector<R> coupling;
-  for (std::size_t n = 0; n < rule.places.size(); ++n) {
-    const R k = panel.centre + panel.half * rule.places[n];
+  std::vector<R> at_zero;  // integrand of N(0)
+  for (std::size_t n = 0; n < series.points.size(); ++n) {
+    const R k = panel.centre + panel.half * series.points.place(n);
     const SymbolValues<R> values = symbols.at(k);
     normal.push_back(values.normal_defect);
     coupling.push_back(values.coupling_defect);
     largest = max(largest, R(max(abs(normal.back()), abs(coupling.back()))));
     const R x = k * scale;
     const R rest = x < 1 ? R(expm1(R(-x)) + values.normal) : R(exp(R(-x)) - values.normal_defect);
-    at_zero += rule.weights[n] * rest / k;
+    at_zero.push_back(rest / k);
   }
-  panel.normal = rule.coefficients(normal);
-  panel.coupling = rule.coefficients(coupling);
-  const R tolerance = 16 * epsilon<R>() * max(R(1), largest);
-  const bool resolved = drop_tail(panel.normal, tolerance) >= 2 && drop_tail(panel.coupling, tolerance) >= 2;
-  if (!resolved && halvings < most_panel_halvings) {
-    add(symbols, left, panel.centre, halvings + 1);
-    add(symbols, panel.centre, right, halvings + 1);
+  panel.normal = series.coefficients(normal);
+  panel.coupling = series.coefficients(coupling);
+  const R tolerance = 4 * series_accuracy<R>() * max(R(1), largest);
+  const R tail = tail_of(panel.normal, panel.coupling);
+  if (!is_exact(tail, tail_before, tolerance)) {
+    if (panels_.size() > most_panels + symbols.given_wave_numbers().size()) {
+      throw std::runtime_error("the symbols of a body have no Legendre series");
+    }
+    add(symbols, left, panel.centre, tail);
+    add(symbols, panel.centre, right, tail);
     return;
   }
-  if (symbols.has_absolute_displacement()) normal_at_zero_ += panel.half * at_zero;
-  if (panels_.empty() && symbols.has_absolute_displacement()) normal_at_zero_ += log(scale);
+  drop_tail(panel.normal, tolerance);
+  drop_tail(panel.coupling, tolerance);
+  if (symbols.has_absolute_displacement()) {
+    normal_at_zero_ += 2 * panel.half * series.coefficients(at_zero)[0];
+    if (panels_.empty()) normal_at_zero_ += log(scale);
+  }
   largest_ = max(largest_, largest);
   panels_.push_back(std::move(panel));
 }

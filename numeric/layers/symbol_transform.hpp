@@ -13,12 +13,31 @@
 
 namespace steadyslide::numeric {
 
-/// Removes the last coefficients of a series that are not above the tolerance, but not the first one. Returns how many.
+/// Returns the relative error at which series end: epsilon, or 10^4 epsilon for the types with guard digits.
 template <Real R>
-std::size_t drop_tail(std::vector<R>& series, const R& tolerance) {
-  std::size_t dropped = 0;
-  for (; series.size() > 1 && abs(series.back()) <= tolerance; ++dropped) series.pop_back();
-  return dropped;
+R series_accuracy() {
+  return epsilon<R>() * (std::same_as<R, double> ? 1 : 10000);
+}
+
+/// Returns the largest of the last three coefficients of two series of one length.
+template <Real R>
+R tail_of(const std::vector<R>& a, const std::vector<R>& b) {
+  R largest = 0;
+  for (std::size_t k = a.size() - 3; k < a.size(); ++k) largest = max(largest, R(max(abs(a[k]), abs(b[k]))));
+  return largest;
+}
+
+/// True if a series is as exact as its values. Its tail is below the tolerance, or it comes from rounding, because it is
+/// near the tolerance and hardly below `before`, the tail on a panel of twice the length.
+template <Real R>
+bool is_exact(const R& tail, const R& before, const R& tolerance) {
+  return tail <= tolerance || (tail <= 1000 * tolerance && 4 * tail > before);
+}
+
+/// Removes the last coefficients of a series that are not above the tolerance, but not the first one.
+template <Real R>
+void drop_tail(std::vector<R>& series, const R& tolerance) {
+  while (series.size() > 1 && abs(series.back()) <= tolerance) series.pop_back();
 }
 
 /// Writes j_0(x), j_1(x), ... for x > 0, as many as `result` has entries; errors are absolute.
@@ -28,6 +47,7 @@ void spherical_bessel(const R& x, std::vector<R>& result);
 template <Real R>
 class SymbolTransform {
  public:
+  /// Throws std::runtime_error if the panels become too many.
   explicit SymbolTransform(const BodySymbols<R>& symbols);
 
   struct Slopes {
@@ -48,7 +68,7 @@ class SymbolTransform {
     std::vector<R> normal;  ///< coefficients of P_m
     std::vector<R> coupling;
   };
-  void add(const BodySymbols<R>& symbols, const R& left, const R& right, int halvings);
+  void add(const BodySymbols<R>& symbols, const R& left, const R& right, const R& tail_before);
 
   std::vector<Panel> panels_;
   R normal_at_zero_ = 0;
