@@ -124,8 +124,7 @@ class CorrectedContact {
 Attempt<double> CorrectedContact::solve(const ContactSolution<double>& cells) {
   constexpr double widest = 10;
   if (right_ - left_ > widest * correction_->radius(0))
-    return {nullptr,
-            "the contact is more than 20 times as wide as the first layer is thick"};
+    return {nullptr, "the contact is more than 20 times as wide as the first layer is thick"};
   using Detail = SmoothSlope::Detail;
   constexpr int most_steps = 60, patience = 4;
   constexpr double enough = 2e-15, acceptable = 1e-9;

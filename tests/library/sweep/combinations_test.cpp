@@ -80,8 +80,9 @@ TEST_CASE("mistakes: in the base with its line, in what varies with the sweep's"
       said({axis("load", {"1"})}, "lode = 1\n" + base) ==
       "base.toml:1: unknown key; the keys of a problem file are load, load_at, sliding, units, half_space, friction, indenter, wear; "
       "'lode'");
-  CHECK(said({axis("half_space.yong", {"1"})}) ==
-        "sweep.toml:7: unknown key; the keys of half_space are poisson, young, plane, gamma, layers, base, period, symbol; 'yong'");
+  CHECK(
+      said({axis("half_space.yong", {"1"})}) ==
+      "sweep.toml:7: unknown key; the keys of half_space are poisson, young, plane, gamma, layers, base, period, symbol; 'yong'");
   CHECK(said({axis("load", {"-1", "0"})}) == "sweep.toml:7: load: load out of range; the load is positive; -1");
   CHECK(said({axis("load", {"-1", "1"})}) == "no error");
   for (const char* path : {"friction.values[2]", "friction.values[x]", "friction.values[", "load.x", "load[0]", ""}) {

@@ -214,7 +214,7 @@ TEST_CASE("random layers: cells and the Riemann-Hilbert method agree") {
 
 TEST_CASE("slow: 200 random layers" * doctest::skip()) {
   int solved = 0;
-  for (std::uint64_t seed = std::getenv("SEED") ? std::stoul(std::getenv("SEED")) : 0; seed < 200; ++seed) solved += agree(seed) ? 1 : 0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) solved += agree(seed) ? 1 : 0;
   MESSAGE(solved, " of 200 are solved by the Riemann-Hilbert method");
   CHECK(solved >= 190);
 }
