@@ -12,7 +12,8 @@
 // half-plane's term up to half of the total: int^x s p - (1/2) int s p is the coupled displacement far from the load.
 //
 // The functions are Chebyshev series on panels that grow with the distance. Errors are a few epsilon of the larger of 1
-// and the largest |N|, and 50 digits for Real50, up to a reach of a thousand thicknesses of the first layer.
+// and the largest |N|, and 50 digits for Real50, up to a reach of a thousand thicknesses of the first layer. If moduli of
+// layers differ by factors near 10^8, three digits fewer.
 
 #include "numeric/layers/body_symbols.hpp"
 #include "numeric/layers/kernel_function.hpp"

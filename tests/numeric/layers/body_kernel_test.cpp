@@ -148,6 +148,27 @@ TEST_CASE("stacks, slip and contrast: slopes by quadrature of the symbols") {
   }
 }
 
+TEST_CASE("random stacks: the tables exist and agree with the integrals") {
+  REQUIRE(rc::check([] {
+    const auto solid = [] { return Solid(Rational(uniform(-90, 49)) / 100, Rational(std::pow(10.0, uniform(-2, 2)))); };
+    std::vector<Layer> layers;
+    const int count = uniform(1, 4);
+    for (int n = 0; n < count; ++n) {
+      const Rational thickness(std::pow(10.0, uniform(-30, 10) / 10.0));
+      layers.push_back({thickness, solid(), uniform(0, 1) == 0 ? Interface::bonded : Interface::slip});
+    }
+    const Body body = Body::layered(layers, uniform(0, 1) == 0 ? std::nullopt : std::optional(solid()));
+    const auto [symbols, kernel] = Kernel<double>(body, 1.0);
+    const double y = std::pow(10.0, uniform(-400, 0) / 100.0);
+    const SymbolTransform<double> transform(symbols);
+    const auto direct = transform.at(y);
+    const double size = std::abs(direct.normal) + std::abs(direct.coupling) +
+                        (1 + transform.largest_defect()) / (y + to_real<double>(layers[0].thickness));
+    RC_ASSERT(std::abs(kernel.normal_slope().at(y) - direct.normal) < 1e-12 * size);
+    RC_ASSERT(std::abs(kernel.coupling_slope().at(y) - direct.coupling) < 1e-12 * size);
+  }));
+}
+
 TEST_CASE_TEMPLATE("means over cells have the symbol times sin(kh/2)/(kh/2): short and long cells", R, double, Real50) {
   const auto [symbols, kernel] = Kernel<R>(on_rigid(soft, 0.1_r), R(3));
   const R tolerance = std::same_as<R, double> ? R(3e-13) : R(1e-49);  // k_n is about 10
