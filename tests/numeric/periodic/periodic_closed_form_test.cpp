@@ -208,6 +208,14 @@ TEST_CASE("a flat surface without a gap: the effective friction is tan(pi mean(a
   CHECK(solved<double>(periodic(2, {0.7_r}, {}, flat(-1, 1)))->at(0.3_r).traction.left.value == doctest::Approx(-0.5));
 }
 
+TEST_CASE("short waves: the residuals resolve them") {
+  const Indenter waves = flat(-0.5_r, 0.5_r).with_harmonics({{1, -0.05_r, 0}, {6, 0.001_r, 0.002_r}});
+  const Residuals<double> r =
+      solved<double>(periodic(1, {0.3_r}, {}, flat(-0.5_r, 0.5_r), 5).with_indenter(waves))->residuals();
+  CHECK(r.equation < 1e-12);
+  CHECK(r.load < 1e-12);
+}
+
 TEST_CASE("strong friction, with a power next to -1: the surface is closed") {
   for (const Rational& friction : {16.54_r, 20_r, 21.5_r}) {
     const Residuals<double> r =
