@@ -64,6 +64,26 @@ TEST_CASE("wear: the first row is the contact that solve finds, and other comman
   CHECK(*(column(until, "from_run_in").end() - 2) > 1e-3);
 }
 
+TEST_CASE("wear: layers and a period have the same run-in pressure as the half-plane") {
+  // a = P/sum(l/k), and the friction is the mean of f under the pressures a/k.
+  const double a = 2 / (0.7 / 1 + 0.7 / 3 + 0.6 / 0.5),
+               friction = a * (0.1 * 0.7 / 1 + 0.5 * 0.7 / 3 + 0.2 * 0.6 / 0.5) / 2;
+  const auto with = [](const std::string& body) { return replaced(blade, "poisson = \"0.2\"", body) + wear; };
+  const TemporaryFolder folder{
+      {"layer.toml", with("base = \"rigid\"\nlayers = [ {thickness = \"0.5\", young = 1, poisson = \"0.4\"} ]")},
+      {"period.toml", with("poisson = \"0.2\"\nperiod = \"2.5\"")},
+      {"plane.toml", with("poisson = \"0.2\"")}};
+  std::vector<double> first;
+  for (const std::string& file : {"layer.toml", "period.toml", "plane.toml"}) {
+    const std::string table = out_of(folder.run(words("wear " + file + " --distance 1e9 --until 1e-4 --cells 256")));
+    CHECK(column(table, "effective_friction").back() == doctest::Approx(friction).epsilon(3e-3));  // jumps inside cells
+    first.push_back(column(table, "effective_friction").front());
+  }
+  // They begin with different contacts.
+  CHECK(std::abs(first[0] - first[2]) > 1e-3);
+  CHECK(std::abs(first[1] - first[2]) > 1e-3);
+}
+
 TEST_CASE("wear: a killed and resumed run gives the same files to the byte") {
   const TemporaryFolder folder{{"blade.toml", blade + wear}};
   const auto command = [](const std::string& more) {
