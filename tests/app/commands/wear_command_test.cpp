@@ -74,7 +74,7 @@ TEST_CASE("wear: layers and a period have the same run-in pressure as the half-p
       {"period.toml", with("poisson = \"0.2\"\nperiod = \"2.5\"")},
       {"plane.toml", with("poisson = \"0.2\"")}};
   std::vector<double> first;
-  for (const std::string& file : {"layer.toml", "period.toml", "plane.toml"}) {
+  for (const std::string file : {"layer.toml", "period.toml", "plane.toml"}) {
     const std::string table = out_of(folder.run(words("wear " + file + " --distance 1e9 --until 1e-4 --cells 256")));
     CHECK(column(table, "effective_friction").back() == doctest::Approx(friction).epsilon(3e-3));  // jumps inside cells
     first.push_back(column(table, "effective_friction").front());
