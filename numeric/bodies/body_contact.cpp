@@ -173,7 +173,8 @@ Attempt<double> CorrectedContact::solve(const ContactSolution<double>& cells) {
     errors.ends.distance += error * state.set.span_length();
     errors.ends.length += error;
     errors.tilt += error * reduced.load();
-    if (errors.polynomial.empty()) errors.polynomial.resize(1);
+    const bool has_poles = !best->form().y().pivots().empty();
+    if (errors.polynomial.empty()) errors.polynomial.resize(has_poles ? state.set.components() : 1);
     for (double& coefficient : errors.polynomial) coefficient += error * reduced.load();
     return SearchResult<double>{
         {ContactSet<double>::converted(reduced, state.set), state.q, state.tilt}, errors, {}, best->hairline_gaps()};

@@ -99,6 +99,20 @@ TEST_CASE("thick layers tend to the half-plane, thin ones to springs") {
   CHECK(std::abs(thick / thin) > 2);
 }
 
+TEST_CASE("seven pads on a layer: components without a free end have their errors, too") {
+  std::vector<Indenter::Piece> pieces;
+  for (int k = 0; k < 13; ++k) pieces.push_back({Rational(2 * k - 11, 13), Polynomial::constant(k % 2 == 0 ? 0 : 9)});
+  const ContactProblem problem = on_layer(0.3_r, {0.2_r, 0.6_r}, {0.05_r}, Indenter(-1, pieces), 0.5_r);
+  const auto found = solved(problem);
+  CHECK(found->contact().size() == 7);
+  const auto cells = variational_inequality(problem, {.cells = 13 * 512}).solution;
+  REQUIRE(cells);
+  const Estimate<double> a = found->resultants().centre_of_pressure, b = cells->resultants().centre_of_pressure;
+  CHECK(std::abs(a.value - b.value) <= a.error + b.error);
+  CHECK(a.error > 1e-15);
+  for (const SolvedSingularPoint<double>& point : found->singular_points()) CHECK(point.intensity.error > 0);
+}
+
 TEST_CASE("a stack is seen the same in the mirror") {
   const Solid top(0.45_r, 1), middle(0.1_r, 5), base(0.3_r, 2);
   const Body stack = Body::layered({{0.4_r, top}, {0.3_r, middle, Interface::slip}}, base);
