@@ -196,6 +196,8 @@ void check_method(const SolveOptions& options, const Problem& problem) {
        "with them it goes with closed-form and riemann-hilbert", method},
       {options.certify && !half_plane, "--certify: body without a proof", "proofs are for the half-plane",
        problem.file},
+      {options.tolerance && !half_plane, "--tolerance-profile, --tolerance-friction: body without a bound",
+       "the bound is that of the half-plane", problem.file},
       {options.field.is_inside() && !half_plane, "--stress-at, --displacement-at, --max-stress: body without a field",
        "the field inside is that of the half-plane", problem.file},
       {options.field.largest_stress && !problem.contact.elasticity().half_space(), "--max-stress: no von Mises stress",
