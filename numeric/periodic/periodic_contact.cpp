@@ -52,13 +52,13 @@ class ZoneSearch {
     constexpr int places = 512;
     constexpr double negligible = 1e-9;
     const PeriodicState<double> state = data_.state(ends);
-    const auto& [traction, load, closure] = state;
+    const PeriodicTraction<double>& traction = state.traction;
     const double width = ends.right - ends.left;
     for (int i = 0; i < places; ++i) {
       const auto [value, size] = traction.polynomial(ends.left + width * chebyshev_position<double>(i, places).first);
       if (!(value >= -negligible * size)) return false;
     }
-    if (!(load > 0) || (!data_.whole && (ends.left < data_.left || ends.right > data_.right))) return false;
+    if (!(state.load > 0) || (!data_.whole && (ends.left < data_.left || ends.right > data_.right))) return false;
     if (!traction.has_gap()) return true;
     const double gap = data_.period - width;
     const auto is_open = [&](double length, bool at_right) {
