@@ -2,7 +2,7 @@
 
 It solves COUNT random measured profiles, from number FIRST on, as `solve` does, and compares them with a solution that has ten
 times the accuracy: ends of contact, friction, averaged pressures and stresses, stresses below the surface. With --digits50
-solutions on cells, of 50 to 190 points, are compared with the Riemann-Hilbert method at 50 digits, but for averages. It prints a
+solutions on cells, of 30 to 100 points, are compared with the Riemann-Hilbert method at 50 digits, but for averages. It prints a
 line for every error that is smaller than the difference, and for every problem without a solution, then a table. Exit code 1 if
 there is such a line.
 
@@ -86,8 +86,8 @@ def audit(seed, digits50):
 
 
 def random_size(seed):
-    """Returns a number of points with which 50 digits take seconds."""
-    return 50 + 10 * (seed % 15)
+    """Returns a number of points with which 50 digits take seconds to minutes."""
+    return 30 + 5 * (seed % 15)
 
 
 def main():
