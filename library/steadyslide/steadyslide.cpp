@@ -38,6 +38,13 @@ std::string toml_text(const Exact& number) { return toml_text(number.text()); }
 std::string toml_text(const ProfilePiece& piece) {
   return fmt::format("{{to = {}, profile = {}}}", toml_text(piece.to), toml_text(piece.profile));
 }
+std::string toml_text(const LayerData& layer) {
+  return fmt::format("{{thickness = {}, young = {}, poisson = {}, below = {}}}", toml_text(layer.thickness),
+                     toml_text(layer.young), toml_text(layer.poisson), toml_text(layer.below.value_or("bonded")));
+}
+std::string toml_text(const HarmonicData& wave) {
+  return fmt::format("{{n = {}, cos = {}, sin = {}}}", toml_text(wave.n), toml_text(wave.cos), toml_text(wave.sin));
+}
 
 template <class T>
 void add(std::string& text, const char* key, const std::vector<T>& list) {
@@ -60,6 +67,10 @@ std::string problem_text(const ProblemData& data) {
   add(text, "young", data.young);
   add(text, "plane", data.plane);
   add(text, "gamma", data.gamma);
+  add(text, "layers", data.layers);
+  add(text, "base", data.base);
+  add(text, "period", data.period);
+  add(text, "symbol", data.symbol);
   text += "[friction]\n";
   add(text, "values", data.friction);
   add(text, "jumps", data.jumps);
@@ -68,6 +79,7 @@ std::string problem_text(const ProblemData& data) {
   add(text, "profile", data.profile);
   add(text, "pieces", data.pieces);
   add(text, "samples", data.samples);
+  add(text, "harmonics", data.harmonics);
   if (data.elastic) {
     text += fmt::format("elastic = {{poisson = {}, young = {}}}\n", toml_text(data.elastic->poisson),
                         toml_text(data.elastic->young));

@@ -81,6 +81,21 @@ struct ProfilePiece {
   std::string profile;
 };
 
+/// A layer of the body (docs/problem-file.md).
+struct LayerData {
+  Exact thickness;
+  Exact young;
+  Exact poisson;
+  std::optional<std::string> below{};  ///< "bonded" or "slip"
+};
+
+/// A wave of the profile, cos cos(2 pi n x/period) + sin sin(2 pi n x/period).
+struct HarmonicData {
+  Exact n;
+  Exact cos = 0;
+  Exact sin = 0;
+};
+
 /// Archard's coefficients of wear: depth per pressure and sliding distance.
 struct WearData {
   std::vector<Exact> coefficients;  ///< of the indenter, one for each friction value, or one for all
@@ -96,13 +111,18 @@ struct ProblemData {
   std::optional<Exact> young{};
   std::optional<std::string> plane{};  ///< "strain" or "stress"
   std::optional<Exact> gamma{};
+  std::vector<LayerData> layers{};       ///< from the surface down; `poisson` and `young` are those of the base
+  std::optional<std::string> base{};     ///< under layers: "elastic" or "rigid"
+  std::optional<Exact> period{};         ///< of indenters that repeat
+  std::optional<std::string> symbol{};   ///< the file of the body's symbols
   std::optional<std::string> sliding{};  ///< "+x" or "-x"
   std::optional<Exact> load_at{};        ///< the place of the load, for an indenter that may tilt
   std::vector<Exact> support{};          ///< left and right end; empty for -1 and 1
-  std::optional<std::string> profile{};  ///< a polynomial of x, "x^2/2"; or give `pieces` or `samples`
+  std::optional<std::string> profile{};  ///< a polynomial of x, "x^2/2"; or give `pieces`, `samples` or `harmonics`
   std::vector<ProfilePiece> pieces{};
-  std::optional<std::string> samples{};  ///< the file of a measured profile
-  std::optional<ElasticBody> elastic{};  ///< the materials of the indenter
+  std::optional<std::string> samples{};   ///< the file of a measured profile
+  std::vector<HarmonicData> harmonics{};  ///< of a profile with a period
+  std::optional<ElasticBody> elastic{};   ///< the materials of the indenter
   std::optional<WearData> wear{};
 };
 

@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """Solves the parabola of parabola.toml by finite elements, with GetFEM (python3-getfem).
 
-    finite_element.py ELEMENTS
+    finite_element.py ELEMENTS [THICKNESS]
 
 A block of half-width and depth 10^4 with fixed sides and bottom replaces the half-plane. The elements are quadratic: ELEMENTS
 equal ones over [-1, 1], with a node at the friction jump; beyond, each is longer by half than the one before. The pressure
 is a continuous, piecewise linear multiplier. Contact is the complementarity of the augmented Lagrangian (Alart, Curnier 1991, as
 in GetFEM's own contact bricks). The shear f p of steady sliding is a traction. One more unknown, the approach, fixes the load.
 Prints the load share under the first coating, CPU seconds, unknowns and steps as JSON.
+With a THICKNESS the block is a layer of this thickness on a rigid base, to which it is bonded.
 """
 
 import json
@@ -29,21 +30,24 @@ def graded(first):
     return np.array(places)
 
 
-def block(elements):
+def block(elements, thickness):
     h = 2.0 / elements
     x = np.linspace(-1, 1, elements + 1)
     x[np.argmin(np.abs(x - JUMP))] = JUMP
     x = np.concatenate([-1 - graded(h)[::-1], x, 1 + graded(h)])
-    y = -np.concatenate([[0], np.cumsum(np.full(4, h)), 4 * h + graded(h)])[::-1]
+    y = np.concatenate([[0], np.cumsum(np.full(4, h)), 4 * h + graded(h)])
+    if thickness:
+        y = np.linspace(0, thickness, int(np.ceil(thickness / h)) + 1)
+    y = -y[::-1]
     return gf.Mesh("cartesian", x, y)
 
 
 def main():
-    if len(sys.argv) != 2:
+    if len(sys.argv) not in (2, 3):
         sys.exit(__doc__)
     gf.util_trace_level(0)
     start = time.process_time()
-    mesh = block(int(sys.argv[1]))
+    mesh = block(int(sys.argv[1]), float(sys.argv[2]) if len(sys.argv) > 2 else None)
     points = mesh.pts()
     depth = points[1].min()
     faces = mesh.outer_faces()
@@ -86,7 +90,7 @@ def main():
     steps, _ = model.solve("max_res", 1e-8, "max_iter", 60)
     loads = [gf.asm("generic", rule, 0, "p", where, model) for where in (left, right)]
     seconds = time.process_time() - start
-    print(json.dumps({"share": float(loads[0] / sum(loads)), "load": float(sum(loads)), "seconds": seconds,
+    print(json.dumps({"share": float(loads[0] / sum(loads)), "approach": float(model.variable("approach")[0]), "load": float(sum(loads)), "seconds": seconds,
                       "unknowns": model.nbdof(), "steps": steps}))
 
 

@@ -55,6 +55,26 @@ TEST_CASE("a problem of data is the problem of its text, whatever its numbers ar
         solve(problem, {.digits = 30}).effective_friction().digits);
 }
 
+TEST_CASE("layers, a period and harmonics are data") {
+  const Problem layered = ProblemData{.load = 1,
+                                      .friction = {"1/2"},
+                                      .layers = {{.thickness = 1, .young = 1, .poisson = "0.3"}},
+                                      .base = "rigid",
+                                      .profile = "0"};
+  CHECK(solve(layered).centre_of_pressure().value == doctest::Approx(-0.0087854184229).epsilon(1e-11));
+  const Problem waves = ProblemData{.load = "1/100",
+                                    .friction = {0},
+                                    .gamma = 0,
+                                    .period = 1,
+                                    .support = {"-1/2", "1/2"},
+                                    .harmonics = {{.n = 1, .cos = "-1/100"}}};
+  const Solution solution = solve(waves);
+  REQUIRE(solution.solved());
+  // Westergaard: P = pi E* Delta sin^2(pi a/L) with c = 1 = 2/E*, so E* = 2.
+  const double a = solution.contact()[0].right.x.value;
+  CHECK(0.02 * M_PI * std::pow(std::sin(M_PI * a), 2) == doctest::Approx(0.01).epsilon(1e-12));
+}
+
 TEST_CASE("load, Coulomb's law and the slope hold") {
   const Solution solution = solve(parabola());
   REQUIRE(solution.solved());
