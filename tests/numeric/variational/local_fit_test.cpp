@@ -334,3 +334,27 @@ TEST_CASE("the variational solver finds the exponents that the local analysis de
     }
   });
 }
+
+TEST_CASE("a friction jump on a layer has the half-plane's exponent on cells") {
+  const Solid solid(0.2_r, 1);
+  const Body layer = Body::layered({{0.4_r, solid}}, std::nullopt);
+  for (const auto& [left, right] : {std::pair(0.3_r, 2_r), std::pair(2_r, 0.3_r)}) {
+    const ContactProblem problem =
+        ContactProblem(Elasticity(solid), FrictionProfile({left, right}, {0}), one_piece(-1, 1, {0, 0, 0.5_r}), 0.3_r)
+            .with_body(layer);
+    const CellMeans cells = variational_means(problem, 16384);
+    const auto is_contact = [](double mean) { return mean != 0; };
+    const auto first = std::ranges::find_if(cells.mean, is_contact) - cells.mean.begin();
+    const auto end =
+        std::ranges::find_if(cells.mean.rbegin(), cells.mean.rend(), is_contact).base() - cells.mean.begin();
+    const LocalPlace place{0, -cells.edges[static_cast<std::size_t>(first)],
+                           cells.edges[static_cast<std::size_t>(end)]};
+    const double exponent = (std::atan(s_at(problem, 0, Side::left)) - std::atan(s_at(problem, 0, Side::right))) / M_PI;
+    for (const Side side : {Side::left, Side::right}) {
+      const FittedExponent found = fitted_exponent(cells.cells(), place, side);
+      CHECK(found.exponent.convergence == Convergence::reached);
+      CHECK(std::abs(found.exponent.value - exponent) <= std::min(found.exponent.error, 1e-3));
+      CHECK(found.exponent.error < std::abs(exponent) / 10);
+    }
+  }
+}
