@@ -13,6 +13,8 @@
 #include "library/answer/solved_contact.hpp"
 #include "library/problem_file/file_error.hpp"
 #include "library/problem_file/problem_file.hpp"
+#include "model/uniqueness.hpp"
+#include "numeric/bodies/body_contact.hpp"
 #include "numeric/closed_form/closed_form.hpp"
 #include "numeric/interior/interior_stress.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
@@ -127,6 +129,7 @@ class Explorer {
     return object(
         {{"method", text(solution_->method())},
          {"failed_condition", text(solution_->failed_condition())},
+         {"uniqueness", text(uniqueness_theorem(*problem_))},
          {"contact", contact(*solution_)},
          {"singular_points", shown(solution_->singular_points())},
          {"resultants", resultants(*problem_, *solution_)},
@@ -164,8 +167,9 @@ class Explorer {
   }
 
   /// Von Mises stress at columns x rows points, in the middle of cells of [left, right] x [0, depth], row by row
-  /// downwards.
+  /// downwards. Empty on layers.
   val stresses(double left, double right, double depth, int columns, int rows) {
+    if (!problem_->body().is_half_plane()) return column({});
     std::vector<double> x, z;
     for (int row = 0; row < rows; ++row) {
       for (int k = 0; k < columns; ++k) {
@@ -201,7 +205,10 @@ class Explorer {
  private:
   static std::string solve_in_double(const ContactProblem& problem, Solution& solution) {
     numeric::Attempt<double> found = numeric::closed_form<double>(problem);
-    if (!found.solution) found = numeric::riemann_hilbert<double>(problem, nullptr);
+    if (!found.solution) {
+      found = problem.body().is_half_plane() ? numeric::riemann_hilbert<double>(problem, nullptr)
+                                             : numeric::contact_on_body(problem);
+    }
     solution = found.solution;
     return solution ? "" : found.reason;
   }

@@ -1,6 +1,6 @@
 #include "numeric/layers/kernel_function.hpp"
 
-#include "numeric/quadrature/jacobi_rule.hpp"
+#include <algorithm>
 
 namespace steadyslide::numeric {
 namespace {
@@ -20,30 +20,6 @@ R chebyshev_sum(const std::vector<R>& series, const R& v) {
 template <Real R>
 R value_on(const typename KernelFunction<R>::Panel& panel, const R& y) {
   return chebyshev_sum(panel.series, R((2 * y - panel.left - panel.right) / (panel.right - panel.left)));
-}
-
-/// Gauss-Legendre rules with 1, 2, ... nodes.
-template <Real R>
-const UnitRule<R>& gauss_rule(std::size_t n) {
-  static const std::vector<UnitRule<R>> rules = [] {
-    std::vector<UnitRule<R>> made;
-    for (int m = 1; m <= (std::same_as<R, double> ? 20 : std::same_as<R, Real50> ? 40 : 72); ++m) {
-      made.push_back(jacobi_rule<R>({}, {}, m));
-    }
-    return made;
-  }();
-  return rules[min(n, rules.size()) - 1];
-}
-
-/// Returns how many Gauss nodes integrate a series of this size, times a line, over a part of its panel. The series is
-/// exact to rounding, so its terms fall at least like rho^-m, and faster on a part of the panel.
-template <Real R>
-std::size_t gauss_nodes(std::size_t size, double part) {
-  const double digits = -std::log(static_cast<double>(epsilon<R>()));
-  const double rho = std::exp(digits / static_cast<double>(size));
-  const double distance = (rho - 1 / rho) / 2 / part;
-  const double degree = digits / std::log(distance + std::sqrt(1 + distance * distance));
-  return 1 + static_cast<std::size_t>((std::min(degree, static_cast<double>(size)) + 2) / 2);
 }
 
 }  // namespace
@@ -80,46 +56,6 @@ R KernelFunction<R>::at(const R& y) const {
   const R distance = abs(y);
   const R value = value_on(panel_at(distance), distance);
   return y < 0 && parity_ == Parity::odd ? R(-value) : value;
-}
-
-template <Real R>
-R KernelFunction<R>::integral(const R& a, const R& b, const R& p, const R& q) const {
-  if (panels_.empty()) return 0;
-  if (a < 0 && b > 0) return integral(a, R(0), p, q) + integral(R(0), b, R(p - q * a), q);
-  if (a < 0) {
-    const R mirrored = integral(R(-b), R(-a), R(p + q * (b - a)), R(-q));
-    return parity_ == Parity::odd ? R(-mirrored) : mirrored;
-  }
-  R sum = 0;
-  R from = a;
-  for (const Panel* panel = &panel_at(a);; ++panel) {
-    const bool is_last = panel == &panels_.back() || b <= panel->right;
-    const R to = is_last ? b : panel->right;
-    const R length = to - from;
-    const auto part = static_cast<double>(length) / static_cast<double>(panel->right - panel->left);
-    if (length > 0) {
-      const UnitRule<R>& rule = gauss_rule<R>(gauss_nodes<R>(panel->series.size(), part));
-      R over_panel = 0;
-      for (std::size_t k = 0; k < rule.size(); ++k) {
-        const R y = from + length * rule.from_left[k];
-        over_panel += rule.weights[k] * (p + q * (y - a)) * value_on(*panel, y);
-      }
-      sum += length * over_panel;
-    }
-    if (is_last) return sum;
-    from = to;
-  }
-}
-
-template <Real R>
-R KernelFunction<R>::mean(const R& y, const R& h) const {
-  return integral(R(y - h / 2), R(y + h / 2), R(1), R(0)) / h;
-}
-
-template <Real R>
-R KernelFunction<R>::mean_of_cells(const R& y, const R& h) const {
-  const R slope = 1 / h;
-  return (integral(R(y - h), y, R(0), slope) + integral(y, R(y + h), R(1), R(-slope))) / h;
 }
 
 STEADYSLIDE_INSTANTIATE_CLASS(KernelFunction)

@@ -1,5 +1,5 @@
 #pragma once
-// An even or odd function on [-reach, reach] as Chebyshev series on panels, and its means over cells.
+// An even or odd function on [-reach, reach] as Chebyshev series on panels.
 
 #include <vector>
 
@@ -26,17 +26,9 @@ class KernelFunction {
 
   /// Returns the value at y, |y| <= reach.
   R at(const R& y) const;
-  /// Returns the mean over a cell of length h > 0 whose centre is y: its symbol is that of the function times
-  /// sin(kh/2)/(kh/2). |y| + h/2 <= reach.
-  R mean(const R& y, const R& h) const;
-  /// Returns the mean of f(x' - x) over x and x' in two cells of length h > 0 whose centres differ by y: the symbol
-  /// times the square of sin(kh/2)/(kh/2). |y| + h <= reach.
-  R mean_of_cells(const R& y, const R& h) const;
 
  private:
   const Panel& panel_at(const R& y) const;
-  /// Returns int_a^b (p + q (y - a)) f(y) dy, exact up to rounding.
-  R integral(const R& a, const R& b, const R& p, const R& q) const;
 
   Parity parity_;
   std::vector<Panel> panels_;

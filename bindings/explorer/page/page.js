@@ -45,6 +45,7 @@ function buildControls() {
   controls.fixed = [
     slider(byId('load'), {label: 'Load P, in units of E × length', least: 0.01, most: 1, step: 0.01, get: () => state.load, set: v => { state.load = v; }}),
     slider(byId('poisson'), {label: 'Poisson’s ratio ν', least: 0, most: 0.49, step: 0.01, get: () => state.poisson, set: v => { state.poisson = v; }}),
+    slider(byId('thickness'), {label: `Thickness h of a layer on a rigid base; ${thickest}: the half-plane`, least: 0.5, most: thickest, step: 0.1, get: () => state.thickness, set: v => { state.thickness = v; }}),
   ];
   byId('add').addEventListener('click', () => {
     const last = Number(state.jumps.at(-1) ?? -profiles[state.profile].support);
@@ -190,7 +191,9 @@ function fit() {
 
 function showStresses(columns, rows, x) {
   const depth = 0.3 * (x.to - x.from);
-  drawStress(byId('stress'), explorer.stresses(x.from, x.to, depth, columns, rows), columns, rows, shownResult.resultants.mean_pressure, depth, x);
+  const stresses = explorer.stresses(x.from, x.to, depth, columns, rows);
+  byId('stress').parentElement.hidden = stresses.length === 0;
+  drawStress(byId('stress'), stresses, columns, rows, shownResult.resultants.mean_pressure, depth, x);
 }
 
 /// Draws finer stresses, sets the sentence for screen readers and the address, and shows if the independent rule
@@ -203,7 +206,7 @@ function rest() {
   const check = explorer.residuals();
   const worst = Math.max(check.equation, check.load, check.penetration, check.tension);
   byId('method').textContent = `${shownResult.method === 'closed-form' ? 'A closed form' : 'The Riemann–Hilbert method'}, in double precision. ` +
-    `Residuals by a quadrature that no solver uses: at most ${worst.toExponential(1).replace('-', '−')}` + (check.solved ? '. It is the only solution, by the uniqueness theorem.' : ', too large for a solution.');
+    `Residuals by a quadrature that no solver uses: at most ${worst.toExponential(1).replace('-', '−')}` + (check.solved ? `. ${shownResult.uniqueness ? `It is the only solution, by the ${shownResult.uniqueness}` : 'No theorem says that it is the only solution'}.` : ', too large for a solution.');
 }
 
 /// Describes the picture in one sentence.

@@ -9,14 +9,18 @@ const profiles = {
   bumps: {support: 2, size: {label: 'k in ψ = k (x² − 1)²', value: '0.25'}, pieces: k => [`profile = "${k}*(x^2-1)^2"`]},
 };
 const mostJumps = 6;
+/// A layer of this thickness, or thicker, is shown as the half-plane.
+const thickest = 5;
 
-const initial = {profile: 'punch', size: '0.5', load: '0.2', poisson: '0.3', sliding: '+x', values: ['0.1', '0.5'], jumps: ['0']};
+const initial = {profile: 'punch', size: '0.5', load: '0.2', poisson: '0.3', thickness: `${thickest}`, sliding: '+x', values: ['0.1', '0.5'], jumps: ['0']};
 
 /// Returns the problem file of the state, for `steadyslide solve`.
 function problemFile(state) {
   const quoted = list => `[${list.map(number => `"${number}"`).join(', ')}]`;
   const {support, pieces} = profiles[state.profile];
-  return [`load = "${state.load}"`, `sliding = "${state.sliding}"`, '', '[half_space]', `poisson = "${state.poisson}"`, '',
+  const body = Number(state.thickness) >= thickest ? [`poisson = "${state.poisson}"`] :
+    ['base = "rigid"', `layers = [ {thickness = "${state.thickness}", young = "1", poisson = "${state.poisson}"} ]`];
+  return [`load = "${state.load}"`, `sliding = "${state.sliding}"`, '', '[half_space]', ...body, '',
           '[friction]', `values = ${quoted(state.values)}`, `jumps = ${quoted(state.jumps)}`, '',
           '[indenter]', `support = ["-${support}", "${support}"]`, ...pieces(state.size), ''].join('\n');
 }

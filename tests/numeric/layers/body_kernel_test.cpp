@@ -38,15 +38,10 @@ R integrated(const F& f, const R& end, const R& step) {
 }
 
 template <Real R>
-R by_quadrature(const BodySymbols<R>& symbols, const R& y, const R& cell, int times, bool normal) {
-  const auto of_cell = [&](const R& k) {
-    const R x = k * cell / 2;
-    const R one = x == 0 ? R(1) : R(sin(x) / x);
-    return times == 0 ? R(1) : times == 1 ? one : R(one * one);
-  };
+R by_quadrature(const BodySymbols<R>& symbols, const R& y, bool normal) {
   const auto slope = [&](const R& k) {
     const auto values = symbols.at(k);
-    return R(of_cell(k) * (normal ? values.normal_defect * sin(R(k * y)) : values.coupling_defect * cos(R(k * y))));
+    return R(normal ? values.normal_defect * sin(R(k * y)) : values.coupling_defect * cos(R(k * y)));
   };
   return integrated<R>(slope, symbols.last_wave_number(), R(std::same_as<R, double> ? 1 : 4) / (1 + abs(y)));
 }
@@ -92,7 +87,7 @@ TEST_CASE_TEMPLATE("a bonded layer on a rigid base: slopes and values by the clo
     const R step = R(1) / (1 + y);
     CHECK(size_of(R(kernel.normal_slope().at(y) -
                     integrated<R>([&](const R& k) { return R(defect(k) * sin(R(k * y))); }, end, step))) < tolerance);
-    CHECK(size_of(R(kernel.coupling_slope().at(y) - by_quadrature(symbols, y, R(0), 0, false))) < tolerance);
+    CHECK(size_of(R(kernel.coupling_slope().at(y) - by_quadrature(symbols, y, false))) < tolerance);
     const R rise = integrated<R>(
         [&](const R& k) {
           const R half = sin(R(k * y / 2));
@@ -130,7 +125,6 @@ TEST_CASE("far from the load: nothing is left on a rigid base, and the base on a
   CHECK(std::abs(same.kernel.normal().at(2)) < 1e-14);
   const BodyKernel<double> none(BodySymbols<double>(Elasticity(hard), Body{}), 1.0);
   CHECK(none.normal().at(0.3) == 0);
-  CHECK(none.coupling().mean_of_cells(0.3, 0.1) == 0);
 }
 
 TEST_CASE("stacks, slip and contrast: slopes by quadrature of the symbols") {
@@ -142,8 +136,8 @@ TEST_CASE("stacks, slip and contrast: slopes by quadrature of the symbols") {
     const double size = std::abs(kernel.normal_slope().at(1)) + std::abs(kernel.coupling_slope().at(0));
     for (const double y : {0.01, 0.7, 3.0, 19.0}) {
       CAPTURE(y);
-      CHECK(std::abs(kernel.normal_slope().at(y) - by_quadrature(symbols, y, 0.0, 0, true)) < 1e-14 * (1 + size));
-      CHECK(std::abs(kernel.coupling_slope().at(y) - by_quadrature(symbols, y, 0.0, 0, false)) < 1e-14 * (1 + size));
+      CHECK(std::abs(kernel.normal_slope().at(y) - by_quadrature(symbols, y, true)) < 1e-14 * (1 + size));
+      CHECK(std::abs(kernel.coupling_slope().at(y) - by_quadrature(symbols, y, false)) < 1e-14 * (1 + size));
     }
   }
 }
@@ -167,31 +161,6 @@ TEST_CASE("random stacks: the tables exist and agree with the integrals") {
     RC_ASSERT(std::abs(kernel.normal_slope().at(y) - direct.normal) < 1e-12 * size);
     RC_ASSERT(std::abs(kernel.coupling_slope().at(y) - direct.coupling) < 1e-12 * size);
   }));
-}
-
-TEST_CASE_TEMPLATE("means over cells have the symbol times sin(kh/2)/(kh/2): short and long cells", R, double, Real50) {
-  const auto [symbols, kernel] = Kernel<R>(on_rigid(soft, 0.1_r), R(3));
-  const R tolerance = std::same_as<R, double> ? R(3e-13) : R(1e-49);  // k_n is about 10
-  for (const double cell : {1e-3, 0.1, 0.9}) {
-    for (const double y : {0.0, 0.03, 0.5, -0.3}) {
-      if (!std::same_as<R, double> && y != 0.03) continue;
-      CAPTURE(cell);
-      CAPTURE(y);
-      const R h = cell;
-      const auto difference = [&](const R& found, int times, bool normal) {
-        return size_of(R(found - by_quadrature(symbols, R(y), h, times, normal)));
-      };
-      CHECK(difference(kernel.normal_slope().mean(y, h), 1, true) < tolerance);
-      CHECK(difference(kernel.coupling_slope().mean(y, h), 1, false) < tolerance);
-      CHECK(difference(kernel.normal_slope().mean_of_cells(y, h), 2, true) < tolerance);
-      CHECK(difference(kernel.coupling_slope().mean_of_cells(y, h), 2, false) < tolerance);
-      // The slope of a mean is a mean of slopes.
-      const R ends = kernel.normal().at(R(y + h / 2)) - kernel.normal().at(R(y - h / 2));
-      CHECK(size_of(R(kernel.normal_slope().mean(y, h) * h - ends)) < tolerance);
-      const R means = kernel.coupling().mean(R(y + h / 2), h) - kernel.coupling().mean(R(y - h / 2), h);
-      CHECK(size_of(R(kernel.coupling_slope().mean_of_cells(y, h) * h - means)) < tolerance);
-    }
-  }
 }
 
 TEST_CASE("a smooth pressure displaces the surface as its transform says, in sign and size") {
