@@ -1,8 +1,8 @@
 #include "enclosure/contact/interior_stress.hpp"
 
 #include <array>
+#include <cmath>
 
-#include "enclosure/quadrature/power_panel.hpp"
 #include "model/invalid_data.hpp"
 
 namespace steadyslide::enclosure {
@@ -15,6 +15,12 @@ Potential no_potential(Bits bits) { return {Ball(0, bits), Ball(0, bits), Ball(0
 
 void add(Potential& sum, const Ball& factor, const Potential& term) {
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += factor * term[i];
+}
+
+/// Returns the number of nodes for which 4 rho^(1-2n)/(rho-1) <= 2^-bits.
+int nodes_for(Bits bits, double rho) {
+  return static_cast<int>(
+      std::ceil((static_cast<double>(bits) + std::log2(4 * rho / (rho - 1))) / (2 * std::log2(rho))));
 }
 
 class CauchyIntegral {
@@ -69,7 +75,7 @@ class CauchyIntegral {
     const bool right = part.touches == Side::right;
     const Ball two(2, bits_);
     const Ball rho(5, bits_);
-    const JacobiRule& unit = rules_(PowerPanel::count_for(bits_, 5), Ball(0, bits_), Ball(0, bits_));  // on [0, 2]
+    const JacobiRule& unit = rules_(nodes_for(bits_, 5), Ball(0, bits_), Ball(0, bits_));  // on [0, 2]
     const auto at = [&](const Ball& u) {
       const Ball d = part.length * u;
       Potential result = no_potential(bits_);

@@ -3,7 +3,9 @@
 
 #include <acb_calc.h>
 
-#include "enclosure/quadrature/enclosed_integral.hpp"
+#include <vector>
+
+#include "enclosure/number/ball.hpp"
 
 namespace steadyslide::bench {
 
@@ -17,6 +19,11 @@ struct ComplexBall {
   acb_t value;
 };
 
+struct PowerIntegrand {
+  std::vector<enclosure::Ball> points;  ///< e_j, increasing
+  std::vector<enclosure::Ball> powers;  ///< p_j
+};
+
 /// prod |x - e_j|^(p_j) on the interval between two neighbouring points, by distances from its ends.
 struct Stretch {
   struct Factor {
@@ -26,7 +33,7 @@ struct Stretch {
   enclosure::Ball length;
   std::vector<Factor> factors;
 
-  Stretch(const enclosure::PowerIntegrand& all, std::size_t left) : length(all.points[left + 1] - all.points[left]) {
+  Stretch(const PowerIntegrand& all, std::size_t left) : length(all.points[left + 1] - all.points[left]) {
     for (std::size_t j = 0; j < all.points.size(); ++j) {
       const bool on_left = j <= left;
       const std::size_t end = on_left ? left : left + 1;
@@ -66,8 +73,7 @@ inline int value_on_stretch(acb_ptr result, const acb_t tau, void* parameters, s
 
 /// Returns the integral between two neighbouring points, to an absolute tolerance of 2^-bits. Parts in which the
 /// integrand is below 2^-bits are left out.
-inline enclosure::Ball arb_integral(const enclosure::PowerIntegrand& integrand, std::size_t left,
-                                    enclosure::Bits bits) {
+inline enclosure::Ball arb_integral(const PowerIntegrand& integrand, std::size_t left, enclosure::Bits bits) {
   Stretch stretch(integrand, left);
   const double decay = static_cast<double>(bits) * 0.693;
   ComplexBall from, to, value;

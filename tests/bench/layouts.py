@@ -137,18 +137,6 @@ def variational(t):
     return (table(head, [row for row in rows if any(row[1:])]),)
 
 
-def enclosure(t):
-    rows = []
-    for digits in (30, 50, 200):
-        for jumps in range(6):
-            name = {kind: f"{kind}/jumps:{jumps}/digits:{digits}" for kind in
-                    ("panels_warm", "panels_cold", "witness", "arb_integrator")}
-            if name["panels_warm"] in t.of:
-                rows.append([str(digits), str(jumps)] + [t.time(n, MS) for n in name.values()] +
-                            [t.ratio(name["arb_integrator"], name["panels_cold"])])
-    return (table(["digits", "jumps", "warm", "cold", "witness", "Arb's integrator", "Arb / cold"], rows),)
-
-
 # For each name: the layout, the arguments of bench_NAME, and the arguments of a quick run.
 LAYOUTS = {
     "traction": (traction, ["--benchmark_repetitions=3", "--benchmark_report_aggregates_only=true"], []),
@@ -161,6 +149,4 @@ LAYOUTS = {
     "riemann_hilbert": (riemann_hilbert, [], ["--benchmark_min_time=0.01"]),
     "variational": (variational, ["--benchmark_min_time=0.2"], ["--benchmark_filter=/(4096|16384)/",
                                                                "--benchmark_min_time=0.01"]),
-    "enclosure": (enclosure, ["--benchmark_min_time=0.01", "--benchmark_filter=digits:(30|50|200)$"],
-                  ["--benchmark_min_time=0.01", "--benchmark_filter=panels.*digits:(30|50)$"]),
 }

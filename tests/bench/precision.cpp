@@ -141,7 +141,7 @@ void panel_by_jacobi(benchmark::State& state) {
 template <Real R>
 void panel_by_arb(benchmark::State& state) {
   const slong bits = static_cast<slong>(digits_served<R> * 3.33) + 10;
-  enclosure::PowerIntegrand integrand{{enclosure::Ball(-1, bits)}, {}};
+  bench::PowerIntegrand integrand{{enclosure::Ball(-1, bits)}, {}};
   for (const Rational& length : lengths) {
     integrand.points.push_back(integrand.points.back() + enclosure::Ball(length, bits));
   }
