@@ -52,8 +52,9 @@ template <Real R>
 std::vector<JacobiPanel<R>> jacobi_panels(const SignedFundamentalSolution<R>& y, const SegmentPart<R>& part,
                                           SmoothFactor factor, const std::function<Power<R>(std::size_t)>& power_at,
                                           JacobiRules<R>& rules) {
-  Surroundings<R> around =
-      surroundings<R>(y.set(), part.segment, [&](std::size_t j) { return is_singular(y, j, factor); });
+  // Panels are not longer than the segment, so they do not depend on points that are farther away.
+  Surroundings<R> around = surroundings<R>(
+      y.set(), part.segment, [&](std::size_t j) { return is_singular(y, j, factor); }, y.set().length(part.segment));
   if (part.from_left > 0) {
     around.beyond_left = around.left_singular ? part.from_left : part.from_left + around.beyond_left;
     around.left_singular = false;

@@ -25,19 +25,21 @@ SegmentPart<R> whole_segment(const ContactSet<R>& set, std::size_t segment) {
   return {segment, R(0), set.length(segment), R(0)};
 }
 
-/// Returns the singular points at the ends of a segment and beyond them. is_singular(j) is true for a singular point j.
+/// Returns the singular points at the ends of a segment and up to the distance `reach` beyond them. is_singular(j) is true
+/// for a singular point j.
 template <Real R, class IsSingular>
-Surroundings<R> surroundings(const ContactSet<R>& set, std::size_t segment, const IsSingular& is_singular) {
+Surroundings<R> surroundings(const ContactSet<R>& set, std::size_t segment, const IsSingular& is_singular,
+                             const R& reach = infinity<R>()) {
   Surroundings<R> result{is_singular(segment), is_singular(segment + 1), infinity<R>(), infinity<R>()};
   R distance = 0;
-  for (std::size_t j = segment; j-- > 0;) {
+  for (std::size_t j = segment; j-- > 0 && distance < reach;) {
     distance += set.length(j);
     if (!is_singular(j)) continue;
     result.beyond_left = distance;
     break;
   }
   distance = 0;
-  for (std::size_t j = segment + 2; j < set.points().size(); ++j) {
+  for (std::size_t j = segment + 2; j < set.points().size() && distance < reach; ++j) {
     distance += set.length(j - 1);
     if (!is_singular(j)) continue;
     result.beyond_right = distance;
