@@ -7,6 +7,7 @@
 
 #include "checker/cells.hpp"
 #include "checker/krawczyk.hpp"
+#include "checker/periodic.hpp"
 #include "checker/reader.hpp"
 #include "checker/signs.hpp"
 
@@ -57,6 +58,17 @@ void prove(const Certificate& certificate) {
               one_load ? "the box contains" : "for every load its box contains", seconds());
 }
 
+void prove(const Periodic& claim) {
+  const PeriodicProof proof = prove_periodic(claim);
+  std::printf("period %s\n  proved: one zero of the conditions in the box, contraction %.2g\n",
+              claim.problem.period.text().c_str(), proof.contraction);
+  std::printf("  proved: t < 0 in the contact on %zu intervals, gap > 0 off it on %zu\n", proof.in_contact,
+              proof.in_gap);
+  std::printf(
+      "proved: the box contains a solution of the contact problem, with the friction and centre claimed (%.2f s)\n",
+      seconds());
+}
+
 /// Checks if the certificate is for the problem in that file. For an empty name it does nothing.
 void compare(const Problem& problem, const std::string& file) {
   if (file.empty()) return;
@@ -86,15 +98,15 @@ int run(int count, char** arguments) {
   }
   if (file.empty()) refuse("no certificate", "none");
   const Reader document = Reader::of_json(read_file(file), file);
-  if (document.has("kind") && document["kind"].choice({"cells", "solution", "loads"}) == 0) {
-    const Cells cells = Cells::of_certificate(document);
-    compare(cells.problem, problem);
-    prove(cells);
-  } else {
-    const Certificate certificate = Certificate::read(document);
+  const auto check = [&](const auto& certificate) {
     compare(certificate.problem, problem);
     prove(certificate);
-  }
+  };
+  const std::size_t kind =
+      document.has("kind") ? document["kind"].choice({"cells", "periodic", "solution", "loads"}) : 2;
+  if (kind == 0) check(Cells::of_certificate(document));
+  if (kind == 1) check(Periodic::of_certificate(document));
+  if (kind > 1) check(Certificate::read(document));
   return 0;
 }
 

@@ -31,9 +31,31 @@ Problem::Loads Problem::Loads::read(const Reader& at) {
   return {ends[0], ends[1]};
 }
 
-Problem Problem::of_certificate(const Reader& at, bool one_load) {
-  at.check_keys({one_load ? "load" : "loads", "load_at", "sliding", "gamma", "compliance", "friction", "indenter"});
+void Problem::read_harmonics(const Reader& at) {
+  for (const Reader& term : at.list()) {
+    term.check_keys({"n"}, {"cos", "sin"});
+    const Rational n = term["n"].rational();
+    int k = 1;
+    while (k < 101 && n != k) ++k;
+    if (k == 101) term["n"].fail("number out of range", "it is a whole number from 1 to 100");
+    std::array<Rational, 2>& sum = harmonics[k];
+    if (term.has("cos")) sum[0] = sum[0] + term["cos"].rational();
+    if (term.has("sin")) sum[1] = sum[1] + term["sin"].rational();
+  }
+  std::erase_if(harmonics, [](const auto& term) { return term.second[0].sign() == 0 && term.second[1].sign() == 0; });
+}
+
+Problem Problem::of_certificate(const Reader& at, bool one_load, bool periodic) {
+  const char* load = one_load ? "load" : "loads";
   Problem p;
+  if (periodic) {
+    at.check_keys({load, "load_at", "sliding", "gamma", "compliance", "friction", "indenter", "period", "harmonics"});
+    p.period = at["period"].rational();
+    if (p.period.sign() <= 0) at["period"].fail("out of range", "it is positive");
+    p.read_harmonics(at["harmonics"]);
+  } else {
+    at.check_keys({load, "load_at", "sliding", "gamma", "compliance", "friction", "indenter"});
+  }
   p.loads = one_load ? Loads{at["load"].rational(), at["load"].rational()} : Loads::read(at["loads"]);
   if (!at["load_at"].is_null()) p.load_at = at["load_at"].rational();
   p.slides_to_plus_x = at["sliding"].choice({"+x", "-x"}) == 0;
@@ -75,6 +97,9 @@ void Problem::check(const std::string& place) const {
     require(c > previous && c < right, "friction.jumps", "jumps increase, inside the support", c.text());
     previous = c;
   }
+  require(period.sign() == 0 || period >= right - left, "period", "it is at least as long as the support",
+          period.text());
+  require(period.sign() == 0 || !load_at, "load_at", "with a period the attitude is given", "present");
   if (load_at) require(*load_at > left && *load_at < right, "load_at", "it lies inside the support", load_at->text());
 }
 
@@ -89,6 +114,8 @@ std::string Problem::difference(const Problem& file) const {
   if (a.friction != b.friction) return "friction.values";
   if (a.jumps != b.jumps) return "friction.jumps";
   if (a.left != b.left) return "indenter.left";
+  if (a.period != b.period) return "half_space.period";
+  if (a.harmonics != b.harmonics) return "indenter.harmonics";
   return a.pieces == b.pieces ? "" : "indenter.pieces";
 }
 

@@ -4,6 +4,8 @@
 //
 //   A t = g + tilt on the contact, g(xi) = psi'(x)/c, int t dxi = -P/unit, xi = (x - origin)/unit, s = +-gamma f.
 
+#include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,9 +38,12 @@ struct Problem {
   std::vector<Rational> jumps;
   Rational left;
   std::vector<Piece> pieces;
+  Rational period;                                   ///< 0: none
+  std::map<int, std::array<Rational, 2>> harmonics;  ///< cos and sin by n; none of them has both 0
 
-  /// Reads the problem of a certificate, for one load or for an interval of loads.
-  static Problem of_certificate(const Reader& at, bool one_load);
+  /// Reads the problem of a certificate, for one load or for an interval of loads, and of periodic contact.
+  static Problem of_certificate(const Reader& at, bool one_load, bool periodic = false);
+  void read_harmonics(const Reader& at);
   /// Reads a problem file. The path of a measured trace is relative to its folder.
   static Problem of_file(const std::string& name);
   /// Throws Malformed if a datum breaks a rule of docs/problem-file.md.

@@ -140,18 +140,24 @@ void read_trace(const std::string& name, const std::vector<Rational>& support, P
 }
 
 void read_indenter(const Reader& indenter, const std::string& name, Problem& p) {
-  indenter.check_keys({}, {"support", "profile", "pieces", "samples", "elastic"});
+  indenter.check_keys({}, {"support", "profile", "pieces", "samples", "harmonics", "elastic"});
   std::vector<Rational> support;
   if (indenter.has("support")) support = indenter["support"].rationals();
   if (!support.empty() && support.size() != 2) indenter["support"].fail("wrong number of ends", "it is [left, right]");
-  if (int(indenter.has("profile")) + int(indenter.has("pieces")) + int(indenter.has("samples")) != 1) {
-    indenter.fail("no profile, or several", "it has exactly one of profile, pieces, samples");
+  if (int(indenter.has("profile")) + int(indenter.has("pieces")) + int(indenter.has("samples")) +
+          int(indenter.has("harmonics")) !=
+      1) {
+    indenter.fail("no profile, or several", "it has exactly one of profile, pieces, samples, harmonics");
   }
   p.left = support.empty() ? Rational(-1) : support[0];
   const Rational right = support.empty() ? Rational(1) : support[1];
   if (indenter.has("samples")) {
     const std::filesystem::path beside = std::filesystem::path(name).parent_path();
     read_trace((beside / indenter["samples"].string()).string(), support, p);
+  } else if (indenter.has("harmonics")) {
+    if (p.period.sign() == 0) indenter.fail("harmonics without a period", "half_space has it");
+    p.pieces.push_back({right, {}});
+    p.read_harmonics(indenter["harmonics"]);
   } else if (indenter.has("profile")) {
     p.pieces.push_back({right, PolynomialText(indenter["profile"]).read()});
   } else {
@@ -170,14 +176,16 @@ void read_indenter(const Reader& indenter, const std::string& name, Problem& p) 
 void read_bodies(const Reader& file, Problem& p) {
   const Reader body = file["half_space"];
   const bool elastic = file["indenter"].has("elastic");
+  if (body.has("period")) p.period = body["period"].rational();
+  if (body.has("period") && p.period.sign() <= 0) body["period"].fail("out of range", "it is positive");
   if (body.has("gamma")) {
-    body.check_keys({"gamma"});
+    body.check_keys({"gamma"}, {"period"});
     if (elastic) body.fail("conflicting keys", "with gamma the data are reduced, and the indenter has no others");
     p.gamma = body["gamma"].rational();
     p.compliance = 1;
     return;
   }
-  body.check_keys({"poisson"}, {"young", "plane"});
+  body.check_keys({"poisson"}, {"young", "plane", "period"});
   const bool strain = !body.has("plane") || body["plane"].choice({"strain", "stress"}) == 0;
   const auto constants = [&](const Reader& table) {
     const Rational nu = table["poisson"].rational();

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
+#include <cstdlib>
+#include <filesystem>
 #include <functional>
 #include <optional>
 
@@ -13,8 +16,10 @@
 #include "app/gnuplot/gnuplot.hpp"
 #include "app/results/solution_figure.hpp"
 #include "app/results/solve_writers.hpp"
+#include "app/terminal/memory_file.hpp"
 #include "app/terminal/progress.hpp"
 #include "enclosure/loads/tolerance_band.hpp"
+#include "library/proof/certificate.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -50,10 +55,29 @@ void explain(const SolveOptions& options, const Problem& problem, const Solution
                             solution.instead.empty() ? choice.reason : solution.instead));
 }
 
+/// Has steadyslide-check, beside this program, prove a certificate. Returns its last line; throws if it is not proved.
+std::string checked_again(const std::string& certificate) {
+  const MemoryFile file(certificate), said;
+  std::error_code unknown;
+  std::string program = (std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path() / "steadyslide-check");
+  boost::replace_all(program, "'", "'\\''");
+  const int status = std::system(fmt::format("'{}' {} > {} 2>&1", program, file.path(), said.path()).c_str());
+  std::string text = said.text();
+  text.erase(text.find_last_not_of('\n') + 1);
+  text = text.substr(text.rfind('\n') + 1);
+  if (status != 0) throw Failure(ExitCode::refuted, "not proved: " + text);
+  return text.substr(0, text.rfind(" ("));
+}
+
 SolutionText solve_shown(const SolveOptions& options, const Problem& problem, SolutionWanted solution) {
   Solver::Wanted wanted{
-      options.method, std::move(solution), options.variational(), options.cells || options.accuracy, options.certify,
-      false,          options.jobs};
+      options.method,
+      std::move(solution),
+      options.variational(),
+      options.cells || options.accuracy,
+      options.certify && !problem.contact.body().period(),  // steadyslide-check proves periodic contact
+      false,
+      options.jobs};
   std::optional<Progress> progress;
   if (takes_variational(options.method, problem.contact, options.certify, options.common.digits))
     wanted.variational.progress = follow(progress.emplace(1));
@@ -110,10 +134,19 @@ ExitCode solve_once(const SolveOptions& options, const Problem& problem) {
     solution.tolerance = tolerance_text(problem.contact, *options.tolerance, solution.resultants);
   }
   if (plot) plot->write(rendered_picture(solution_figure(problem, solution), picture_of(*options.plot)));
+  const bool periodic = problem.contact.body().period().has_value();
+  library::PeriodicCertificate claims;
+  if (options.certify && periodic) {
+    claims = library::periodic_certificate(problem.contact, options.common.digits);
+    if (claims.text.empty()) throw bad_command_line("--certify: no certificate", claims.reason, problem.file);
+  }
   write(options, problem, solution, output);
   if (plot) plot->commit();
   if (solution.is_solved()) {
-    if (certificate) certificate->write(solution.proof ? solution.proof->certificate : solution.bound->certificate);
+    if (options.certify && periodic) print_message(problem.file + ": " + checked_again(claims.text));
+    if (certificate && !periodic)
+      claims.text = solution.proof ? solution.proof->certificate : solution.bound->certificate;
+    if (certificate) certificate->write(claims.text);
     if (certificate) certificate->commit();
     return ExitCode::done;
   }

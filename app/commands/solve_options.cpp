@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "library/problem_file/surface_files.hpp"
+#include "library/proof/certificate.hpp"
 #include "numeric/closed_form/closed_form.hpp"
 #include "numeric/interior/average_stress.hpp"
 
@@ -185,6 +186,7 @@ SolveOptions solve_options(const Given& given) {
 void check_method(const SolveOptions& options, const Problem& problem) {
   const bool on_cells = takes_variational(options.method, problem.contact, options.certify, options.common.digits);
   const bool proves_on_cells = on_cells && options.certify, half_plane = problem.contact.body().is_half_plane();
+  const bool periodic = problem.contact.body().period().has_value();
   const std::string method = "--method " + options.method_name, digits = std::to_string(options.common.digits);
   const std::string cells_rule = "it goes with --method variational, and with auto where that takes it";
   refuse({
@@ -194,8 +196,15 @@ void check_method(const SolveOptions& options, const Problem& problem) {
        "with --certify it goes with closed-form and riemann-hilbert", method},
       {proves_on_cells && options.field.any(), "--certify: method without proved stresses and nodal forces",
        "with them it goes with closed-form and riemann-hilbert", method},
-      {options.certify && !half_plane, "--certify: body without a proof", "proofs are for the half-plane",
-       problem.file},
+      {options.certify && !half_plane && !periodic, "--certify: body without a proof",
+       "proofs are for the half-plane, and for periodic contact", problem.file},
+      {options.certify && periodic && (options.both_directions || !options.load_steps.empty()),
+       "--load-steps, --both-directions: several solutions", "with a period a certificate is of one solution",
+       "--certify"},
+      {options.certify && periodic && options.common.digits > most_periodic_digits, "--digits: out of range",
+       fmt::format("with a period at most {} are proved", most_periodic_digits), digits},
+      {options.certify && periodic && !numeric::closed_form<double>(problem.contact).solution,
+       "--certify: no certificate", library::no_periodic_certificate, problem.file},
       {options.tolerance && !half_plane, "--tolerance-profile, --tolerance-friction: body without a bound",
        "the bound is that of the half-plane", problem.file},
       {options.field.is_inside() && !half_plane, "--stress-at, --displacement-at, --max-stress: body without a field",

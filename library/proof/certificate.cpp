@@ -8,6 +8,7 @@
 
 #include "library/text/number_format.hpp"
 #include "library/text/version.hpp"
+#include "numeric/periodic/periodic_solution.hpp"
 
 namespace steadyslide::library {
 namespace {
@@ -26,7 +27,7 @@ Json problem_json(const ContactProblem& problem) {
   for (const Indenter::Piece& piece : problem.indenter().pieces()) {
     pieces.push_back({{"to", exact_text(piece.to)}, {"profile", exact_numbers(piece.profile.coefficients())}});
   }
-  return {
+  Json json{
       {"load_at", problem.load_at() ? Json(exact_text(*problem.load_at())) : Json()},
       {"sliding", problem.sliding() == Sliding::plus_x ? "+x" : "-x"},
       {"gamma", exact_text(problem.elasticity().gamma())},
@@ -34,6 +35,13 @@ Json problem_json(const ContactProblem& problem) {
       {"friction",
        {{"values", exact_numbers(problem.friction().values())}, {"jumps", exact_numbers(problem.friction().jumps())}}},
       {"indenter", {{"left", exact_text(problem.indenter().left())}, {"pieces", std::move(pieces)}}}};
+  if (const std::optional<Rational> period = problem.body().period()) {
+    json["period"] = exact_text(*period);
+    json["harmonics"] = Json::array();
+    for (const auto& [n, cosine, sine] : problem.indenter().harmonics())
+      json["harmonics"].push_back({{"n", std::to_string(n)}, {"cos", exact_text(cosine)}, {"sin", exact_text(sine)}});
+  }
+  return json;
 }
 
 /// A function that writes a ball.
@@ -99,6 +107,43 @@ std::string finished(Json json) {
   return json.dump(2) + "\n";
 }
 
+/// The digits that the box has beyond those of the claims.
+constexpr int guard_digits = 6;
+
+template <numeric::Real R>
+PeriodicCertificate certificate_in(const ContactProblem& problem, int digits) {
+  const auto found = numeric::periodic_contact<R>(problem);
+  if (const auto* reason = std::get_if<std::string>(&found))
+    return {"", std::string(no_periodic_certificate) + "; " + *reason};
+  const auto& contact = std::get<numeric::PeriodicContact<R>>(found);
+  const auto text = [&](const R& value) { return value == 0 ? "0" : full_number(value, digits + guard_digits + 4); };
+  const auto interval = [&](const R& value, const Rational& unit) {
+    const R width = numeric::to_real<R>(unit) * pow(R(10), -digits);
+    return Json{text(value - width), text(value + width)};
+  };
+  Json traction = Json::array();
+  for (std::size_t i = 0; i < contact.traction.tau.size(); ++i) {
+    traction.push_back(text(contact.traction.tau[i].re));
+    if (contact.traction.parity > 0 || i > 0) traction.push_back(text(contact.traction.tau[i].im));
+  }
+  const auto end = [&](const Rational& x, bool is_free) {
+    return is_free ? text(numeric::to_real<R>(x)) : exact_text(x);
+  };
+  const Rational period = *problem.body().period();
+  const numeric::Resultants<R> resultants = numeric::PeriodicSolution<R>(problem, contact).resultants();
+  Json json = heading("periodic", problem);
+  json["problem"]["load"] = exact_text(problem.load());
+  json["origin"] = exact_text(contact.origin);
+  json["ends"] = {end(contact.points.front(), contact.left_is_free), end(contact.points.back(), contact.right_is_free)};
+  json["free"] = {contact.left_is_free, contact.right_is_free};
+  json["traction"] = std::move(traction);
+  json["radius"] = "1e-" + std::to_string(digits + guard_digits);
+  json["claims"] = {{"exists", true},
+                    {"effective_friction", interval(resultants.effective_friction.value, 1)},
+                    {"centre_of_pressure", interval(resultants.centre_of_pressure.value, period)}};
+  return {json.dump(2) + "\n", ""};
+}
+
 }  // namespace
 
 std::string certificate(const ContactProblem& problem, const enclosure::ContactProof& proof, int digits) {
@@ -142,6 +187,13 @@ std::string certificate(const ContactProblem& problem, const std::vector<enclosu
   json["problem"]["loads"] = exact_numbers({intervals.front().from, intervals.back().to});
   json["boxes"] = std::move(boxes);
   return finished(std::move(json));
+}
+
+PeriodicCertificate periodic_certificate(const ContactProblem& problem, int digits) {
+  if (problem.indenter().origin_of_harmonics() != 0) return {"", "the harmonics have another origin than x = 0"};
+  digits = std::min(digits, most_periodic_digits);
+  return digits <= 30 ? certificate_in<numeric::Real50>(problem, digits)
+                      : certificate_in<numeric::Real100>(problem, digits);
 }
 
 }  // namespace steadyslide::library

@@ -22,8 +22,12 @@ Proof proof_on_cells(const ContactProblem& problem, const std::vector<double>& p
 }  // namespace
 
 Proof Solution::certify() const {
+  if (contact_problem(state_->problem).body().period()) {
+    const auto [text, reason] = library::periodic_certificate(contact_problem(state_->problem), state_->digits);
+    return {false, text.empty() ? reason : "steadyslide-check proves this certificate", text, {}};
+  }
   if (!contact_problem(state_->problem).body().is_half_plane())
-    return {false, "proofs are for the half-plane", "", state_->unresolved_gaps()};
+    return {false, "proofs are for the half-plane, and for periodic contact", "", state_->unresolved_gaps()};
   if (const auto pressures = state_->touching_pressures()) {
     return proof_on_cells(contact_problem(state_->problem), *pressures);
   }
