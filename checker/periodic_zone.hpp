@@ -30,7 +30,7 @@ class PeriodicZone {
   /// `moved`, its derivative with respect to that point.
   std::vector<std::vector<Complex>> expansion(std::optional<std::size_t> moved) const;
 
-  /// What is integrated over a distance from a point: |Y| T, times xi or differentiated with respect to a point.
+  /// The function under an integral over distances from a point: |Y| T, times xi or differentiated with respect to a point.
   struct Integrand {
     const Wave* wave;
     bool times_place = false;
