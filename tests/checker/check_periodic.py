@@ -173,6 +173,11 @@ def main():
     punch = ('load = "1"\n[half_space]\ngamma = "0.7"\nperiod = "1"\n[friction]\nvalues = ["1"]\n[indenter]\n'
              'support = ["-0.3", "0.3"]\nprofile = "0"\n')
     flat = certificate_of("flat punch", punch)
+    for what, old, new, words in (("another period", 'period = "1"', 'period = "1.1"', "half_space.period"),
+                                  ("no period", 'period = "1"', "", "half_space.period"),
+                                  ("harmonics", 'profile = "0"', 'harmonics = [{n = 1, cos = "1"}]', "indenter.harmonics")):
+        PROBLEM.write_text(punch.replace(old, new))
+        expect(what, *run(CHECKER, "--problem", PROBLEM, CERTIFICATE), {1}, f"it differs in {words}")
     wave = punch.replace('support = ["-0.3", "0.3"]\nprofile = "0"', 'support = ["-0.5", "0.5"]\n'
                          'harmonics = [{n = 1, cos = "-0.1"}]')
     wrong_models(flat, certificate_of("wave without a gap", wave))

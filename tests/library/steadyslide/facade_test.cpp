@@ -182,6 +182,22 @@ TEST_CASE("exponents, their derivation and a proof") {
   CHECK(refused.unresolved_gaps[0].log10_length < -1000);
 }
 
+TEST_CASE("periodic contact has a certificate that another program proves, or the reason why it has none") {
+  const auto proof_of = [](const std::string& profile) {
+    return solve(Problem::from_text("load = 1\n[half_space]\ngamma = 0.7\nperiod = 1\n[friction]\nvalues = [1]\n"
+                                    "[indenter]\nsupport = [\"-0.3\", \"0.3\"]\nprofile = \"" +
+                                        profile + "\"\n",
+                                    "p.toml"))
+        .certify();
+  };
+  const Proof punch = proof_of("0"), parabola = proof_of("x^2");
+  CHECK_FALSE(punch.proved);
+  CHECK(punch.reason == "steadyslide-check proves this certificate");
+  CHECK(punch.certificate.find("\"kind\": \"periodic\"") != std::string::npos);
+  CHECK(parabola.certificate.empty());
+  CHECK(parabola.reason.starts_with("with a period there are certificates for flat punches that do not tilt and for"));
+}
+
 TEST_CASE("what solve warns of: a pressed notch whose gap has no number") {
   CHECK(solve(coatings()).warnings().empty());
   CHECK(solve(coatings()).unresolved_gaps().empty());
