@@ -135,7 +135,8 @@ def wrong_models(flat, closed):
     p = closed["problem"]
     s = float(p["gamma"]) * float(p["friction"]["values"][0])
     lower = (float(p["load"]) - 0.01) / float(p["period"]) * math.sqrt(1 + s * s)
-    refuse("tension", closed, lambda c: (c["problem"].update(load="0.01"), c.update(
+    refuse("tension", closed, lambda c: (c["problem"].update(load="0.01"), c["claims"].update(
+        effective_friction=["0", "2"], centre_of_pressure=["-9", "9"]), c.update(
         traction=[repr(float(c["traction"][0]) - lower), *c["traction"][1:]], radius="1e-12")), "the pressure is not positive")
 
 
