@@ -35,6 +35,7 @@ class EnclosedContact {
   std::optional<Ball> tilt() const { return solution_.tilt(); }
   std::optional<Ball> average_pressure() const { return std::nullopt; }
   std::optional<Ball> average_at() const { return std::nullopt; }
+  std::optional<Ball> approach() const { return std::nullopt; }
   std::optional<answer::IntervalOf<Ball>> core() const {
     const auto core = enclosure::punch_core(problem_, forces_.normal.bits());
     return core ? std::optional(answer::IntervalOf<Ball>{core->left, core->right}) : std::nullopt;

@@ -42,6 +42,9 @@
            "with a window: the largest mean pressure over a window of its length inside the contact",                      \
            solved.average_pressure())                                                                                     \
   QUANTITY(IfAny, largest_average_at, "L", 14, "the centre of this window", solved.average_at())                          \
+  QUANTITY(IfAny, approach, "L", 15,                                                                                     \
+           "of layers on a rigid base: δ in u = ψ + tilt x − δ, where u tends to 0 far from the contact",                 \
+           solved.approach())                                                                                             \
   QUANTITY(Interval, core, "L", 12, "of a flat punch, from its `left` end to its `right` end", solved.core())
 // clang-format on
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "library/answer/quantities.hpp"
+#include "numeric/bodies/approach.hpp"
 #include "numeric/flat_punch/flat_punch.hpp"
 #include "numeric/solution/contact_solution.hpp"
 
@@ -43,6 +44,10 @@ class SolvedContact {
   std::optional<Estimate> tilt() const { return solution_.tilt(); }
   std::optional<Estimate> average_pressure() const { return average_ ? std::optional(average_->value) : std::nullopt; }
   std::optional<Estimate> average_at() const { return average_ ? std::optional(average_->x) : std::nullopt; }
+  std::optional<Estimate> approach() const {
+    if constexpr (std::same_as<R, double>) return numeric::approach(problem_, solution_);
+    return std::nullopt;
+  }
   std::optional<answer::IntervalOf<Estimate>> core() const {
     const auto core = numeric::punch_core<R>(problem_);
     return core ? std::optional(answer::IntervalOf<Estimate>{core->left, core->right}) : std::nullopt;

@@ -7,8 +7,10 @@
 #include "numeric/bodies/correction_sum.hpp"
 #include "numeric/bodies/fixed_point.hpp"
 #include "numeric/bodies/smooth_slope.hpp"
+#include "numeric/layers/layer_field.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
+#include "numeric/solution/gathered_forces.hpp"
 #include "numeric/variational/cell_data.hpp"
 #include "numeric/variational/variational_inequality.hpp"
 
@@ -24,7 +26,12 @@ class BodySolution : public RiemannHilbertSolution<double> {
         compliance_(to_real<double>(problem.elasticity().compliance())),
         origin_(to_real<double>(problem.origin_of_displacement())),
         correction_(std::move(correction), piecewise_traction()),
-        relative_error_(relative_error) {}
+        relative_error_(relative_error) {
+    const Body& body = problem.body();
+    if (body.layers().empty()) return;
+    layers_ = std::make_unique<LayerField>(
+        problem, gathered_on_meshes(piecewise_traction(), LayerField::longest_part(body)));
+  }
 
   Sample<double> at(const Rational& x) const override {
     Sample<double> result = RiemannHilbertSolution<double>::at(x);
@@ -55,8 +62,10 @@ class BodySolution : public RiemannHilbertSolution<double> {
     correct(sample);
     sample.displacement =
         sample.displacement - estimate(compliance_ * (correction_.height(sample.x) - correction_.height(origin_)));
-    const Estimate<double> unknown{0, infinity<double>()};
-    sample.shear_slope = {unknown, unknown};
+    // sigma_xx = (1 - 2 gamma) t + 2 u_t'/c at the surface.
+    const Estimate<double> further =
+        layers_ ? compliance_ / 2 * layers_->at(0, sample.x, 0)[0] : Estimate<double>{0, infinity<double>()};
+    sample.shear_slope = {sample.shear_slope.left + further, sample.shear_slope.right + further};
     return sample;
   }
 
@@ -64,6 +73,7 @@ class BodySolution : public RiemannHilbertSolution<double> {
   double origin_;
   CorrectionSum correction_;
   double relative_error_;
+  std::unique_ptr<const LayerField> layers_;  ///< absent for given symbols and periods
 };
 
 /// The iteration for w.

@@ -2,32 +2,62 @@
 
 #include <stdexcept>
 
+#include "numeric/solution/gathered_forces.hpp"
+
 namespace steadyslide::numeric {
 
 template <Real R>
 InteriorStress<R>::InteriorStress(PiecewiseTraction<R> traction)
-    : law_(traction.elasticity()), meshes_(nested_sums<R, StressKernel<R>>(std::move(traction), R(1))) {}
+    : laws_{HookesLaw<R>(traction.elasticity())},
+      meshes_(nested_sums<R, StressKernel<R>>(std::move(traction), R(1))) {}
+
+template <Real R>
+InteriorStress<R>::InteriorStress(const ContactProblem& problem, const ContactSolution<R>& solution)
+    : InteriorStress(solution) {
+  const Body& body = problem.body();
+  if (body.is_half_plane()) return;
+  if constexpr (std::same_as<R, double>) {
+    if (!body.layers().empty()) {
+      layers_ = std::make_shared<LayerField>(problem,
+                                             gathered_on_meshes(this->traction(), LayerField::longest_part(body)));
+      const auto add = [&](const Solid& solid) { laws_.emplace_back(Elasticity(solid, problem.elasticity().plane())); };
+      for (std::size_t n = 1; n < body.layers().size(); ++n) add(body.layers()[n].solid);
+      if (body.base()) add(*body.base());
+      return;
+    }
+  }
+  throw std::invalid_argument("stresses below the surface are those of the half-plane or, in double, of layers");
+}
 
 template <Real R>
 StressState<R> InteriorStress<R>::at(const SurfacePlace<R>& x, const R& z, std::span<const Mesh> meshes,
                                      TractionNodes<R>& nodes) const {
-  if (!reaches(z)) {
+  const std::size_t layer = layers_ ? layers_->layer_at(static_cast<double>(z)) : 0;
+  if (!reaches(z) || layer >= laws_.size()) {
     const Estimate<R> unknown{R(std::numeric_limits<double>::quiet_NaN()), infinity<R>()};
-    return law_.completed(unknown, unknown, unknown, unknown);
+    return laws_.front().completed(unknown, unknown, unknown, unknown);
   }
   const auto on_mesh = [&](const Mesh& mesh) {
-    const ForceSums<R> sums = mesh.at(x, z, nodes);
-    const auto normal = [&](std::size_t j) { return Estimate<R>{sums.normal[j], sums.normal_error[j]}; };
-    const auto tangential = [&](std::size_t j) { return Estimate<R>{sums.tangential[j], sums.tangential_error[j]}; };
-    const R factor = 2 / pi<R>();
-    return std::array<Estimate<R>, 4>{factor * (normal(2) - tangential(3)), factor * (normal(0) - tangential(1)),
-                                      factor * (normal(1) - tangential(2)),
-                                      normal(1) + normal(3) + tangential(0) + tangential(2)};
+    std::array<Estimate<R>, 4> stress;
+    if (layer == 0) {
+      const ForceSums<R> sums = mesh.at(x, z, nodes);
+      const auto normal = [&](std::size_t j) { return Estimate<R>{sums.normal[j], sums.normal_error[j]}; };
+      const auto tangential = [&](std::size_t j) { return Estimate<R>{sums.tangential[j], sums.tangential_error[j]}; };
+      const R factor = 2 / pi<R>();
+      stress = {factor * (normal(2) - tangential(3)), factor * (normal(0) - tangential(1)),
+                factor * (normal(1) - tangential(2)), normal(1) + normal(3) + tangential(0) + tangential(2)};
+    }
+    if constexpr (std::same_as<R, double>) {
+      if (!layers_) return stress;
+      const LayerField::Stress smooth = layers_->at(static_cast<std::size_t>(&mesh - meshes_.data()), x.high, z);
+      for (std::size_t j = 0; j < 4; ++j) stress[j] += (j == 3 ? pi<R>() : 1) * smooth[j];
+    }
+    return stress;
   };
   // Cells do not resolve the stress at depths like their length.
   const bool is_deep = traction().panels().empty() || z >= 2 * traction().panels().front().length;
   const auto [xx, zz, xz, pi_w] = on_nested_meshes(meshes, on_mesh, is_deep ? traction().mesh_rates().rate : 1);
-  return law_.completed(xx, zz, xz, pi_w);
+  return laws_[layer].completed(xx, zz, xz, pi_w);
 }
 
 template <Real R>

@@ -16,11 +16,13 @@
 // u_x/dx -> u_t', where the indenter is rigid. Outside the contact sigma_zz and sigma_xz -> 0.
 //
 // The sums over the contact and their errors are those of body_sums.hpp. On cells the errors are those that coarser
-// meshes show.
+// meshes show. In the first layer of a layered body the smooth stresses of layer_field.hpp are added. Below it these are
+// the stresses. An interface belongs to the layer above it. Each layer has its own Hooke's law.
 
 #include "numeric/interior/body_sums.hpp"
 #include "numeric/interior/hookes_law.hpp"
 #include "numeric/interior/stress_field.hpp"
+#include "numeric/layers/layer_field.hpp"
 #include "numeric/solution/contact_solution.hpp"
 
 namespace steadyslide::numeric {
@@ -28,8 +30,11 @@ namespace steadyslide::numeric {
 template <Real R>
 class InteriorStress : public StressField<R> {
  public:
+  /// The half-plane under the traction of a solution.
   explicit InteriorStress(const ContactSolution<R>& solution) : InteriorStress(solution.piecewise_traction()) {}
   explicit InteriorStress(PiecewiseTraction<R> traction);
+  /// The body of the problem. Throws std::invalid_argument unless it is the half-plane, or has layers and R is double.
+  InteriorStress(const ContactProblem& problem, const ContactSolution<R>& solution);
 
   const PiecewiseTraction<R>& traction() const override { return meshes_.front().traction(); }
 
@@ -40,14 +45,17 @@ class InteriorStress : public StressField<R> {
   /// Computes the stresses at many points. The spans have the same length.
   void at(std::span<const R> x, std::span<const R> z, std::span<StressState<R>> states) const override;
   StressState<R> on_finest_mesh(const R& x, const R& z) const override;
+  /// Returns the depths of the layers' lower sides; empty for the half-plane.
+  std::vector<double> interfaces() const { return layers_ ? layers_->interfaces() : std::vector<double>(); }
 
  private:
   using Mesh = BodySums<R, StressKernel<R>>;
   static constexpr const char* below = "the depth of a point below the surface is positive";
   StressState<R> at(const SurfacePlace<R>& x, const R& z, std::span<const Mesh> meshes, TractionNodes<R>& nodes) const;
 
-  HookesLaw<R> law_;
-  std::vector<Mesh> meshes_;  ///< the finest first
+  std::vector<HookesLaw<R>> laws_;  ///< of each layer, and of an elastic base
+  std::vector<Mesh> meshes_;        ///< the finest first
+  std::shared_ptr<const LayerField> layers_;
 };
 
 }  // namespace steadyslide::numeric

@@ -4,8 +4,11 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "numeric/number/node.hpp"
+#include "numeric/solution/gathered_forces.hpp"
+#include "numeric/solution/mesh_error.hpp"
 #include "numeric/variational/variational_solution.hpp"
 
 namespace steadyslide::numeric {
@@ -261,8 +264,9 @@ std::vector<double> VariationalSolution::shear_transform(const std::vector<doubl
   const variational::Fourier fourier(size);
   const std::span<double> values = fourier.values();
   std::fill(values.begin(), values.end(), 0.0);
+  const variational::SurfaceKernel half_plane;
   for (std::size_t m = 1; m < n; ++m) {
-    values[size - m] = kernel().slope(-0.5, 0.5, -static_cast<double>(m), 0) / std::numbers::pi;
+    values[size - m] = half_plane.slope(-0.5, 0.5, -static_cast<double>(m), 0) / std::numbers::pi;
     values[m] = -values[size - m];
   }
   fourier.forward();
@@ -281,14 +285,11 @@ std::vector<double> VariationalSolution::shear_transform(const std::vector<doubl
 TwoSided<double> VariationalSolution::shear_slope(double xi, const TwoSided<double>& traction) const {
   const double c = to_real<double>(problem_.elasticity().compliance());
   const double gamma = to_real<double>(problem_.elasticity().gamma());
-  if (!kernel().is_half_plane()) {
-    const Estimate<double> unknown{0, infinity<double>()};
-    return {unknown, unknown};
-  }
   if (xi < mesh().edges().front() || xi > mesh().edges().back()) {
     ShearRatios ratios(problem_, mesh());
+    const variational::SurfaceKernel half_plane;
     const double sum = sum_over(runs_, [&](std::size_t i) {
-      return ratios.at(mesh().centre(i)) * traction_[i] * kernel().slope(mesh().left(i), mesh().right(i), xi, 0);
+      return ratios.at(mesh().centre(i)) * traction_[i] * half_plane.slope(mesh().left(i), mesh().right(i), xi, 0);
     });
     return slope_beyond(c / std::numbers::pi * sum);
   }
@@ -298,8 +299,22 @@ TwoSided<double> VariationalSolution::shear_slope(double xi, const TwoSided<doub
   const double cell = mesh().length(0);
   const double change = std::max(std::abs(here - interpolated_within(fine, xi - cell)),
                                  std::abs(here - interpolated_within(fine, xi + cell)));
-  const Estimate<double> transform{here, std::max(std::abs(here - interpolated_within(coarse, xi)), change / 2)};
+  const Estimate<double> transform{here, std::max(3 * std::abs(here - interpolated_within(coarse, xi)), change / 2)};
   return {c * (transform + gamma * traction.left), c * (transform + gamma * traction.right)};
+}
+
+Estimate<double> VariationalSolution::further_shear_slope(double x) const {
+  const Body& body = problem_.body();
+  if (body.layers().empty()) return {0, infinity<double>()};
+  const PiecewiseTraction<double>& traction = surface_traction_([this] { return piecewise_traction(); });
+  const LayerField& layers = layers_([&] {
+    return LayerField(problem_, gathered_on_meshes(traction, LayerField::longest_part(body)));
+  });
+  std::vector<std::size_t> meshes(1 + traction.coarser().size());
+  std::iota(meshes.begin(), meshes.end(), 0);
+  const auto on_mesh = [&](std::size_t mesh) { return std::array{layers.at(mesh, x, 0)[0]}; };
+  const auto [stress] = on_nested_meshes(std::span<const std::size_t>(meshes), on_mesh, traction.mesh_rates().rate);
+  return to_real<double>(problem_.elasticity().compliance()) / 2 * stress;
 }
 
 DetailedSample<double> VariationalSolution::details_at(const Rational& x) const {
@@ -313,6 +328,10 @@ DetailedSample<double> VariationalSolution::details_at(const Rational& x) const 
   if (!beyond) result.friction = {problem_.friction().piece(x, Side::left), problem_.friction().piece(x, Side::right)};
   result.cumulative_load = load_before(xi);
   result.shear_slope = shear_slope(xi, result.traction);
+  if (!kernel().is_half_plane()) {
+    const Estimate<double> further = further_shear_slope(to_real<double>(x));
+    result.shear_slope = {result.shear_slope.left + further, result.shear_slope.right + further};
+  }
   return result;
 }
 

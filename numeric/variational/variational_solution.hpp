@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "numeric/layers/layer_field.hpp"
 #include "numeric/number/once.hpp"
 #include "numeric/solution/contact_solution.hpp"
 #include "numeric/variational/local_fit.hpp"
@@ -164,7 +165,9 @@ class VariationalSolution : public ContactSolution<double> {
   Estimate<double> load_before(double xi) const;
   /// Returns (1/pi) int t_t/(x'-x) dx' at the middles of equal cells, from t on the cells.
   std::vector<double> shear_transform(const std::vector<double>& traction) const;
+  /// Returns u_t' of the half-plane under this traction, and what layers add to it; not known on other bodies.
   TwoSided<double> shear_slope(double xi, const TwoSided<double>& traction) const;
+  Estimate<double> further_shear_slope(double x) const;
 
   ContactProblem problem_;
   variational::NestedResult found_;
@@ -182,6 +185,8 @@ class VariationalSolution : public ContactSolution<double> {
   std::vector<std::size_t> ends_;  ///< indices into places_, two for each run
   /// For the cells and for the coarser cells.
   Once<std::pair<std::vector<double>, std::vector<double>>> shear_transforms_;
+  Once<PiecewiseTraction<double>> surface_traction_;
+  Once<LayerField> layers_;
   std::vector<MeshLoads> meshes_;  ///< the finest first
   /// Errors of integrals on N cells are 1/N^rate. Exponents of this problem and of that with reversed friction add to -1 at
   /// edges and jumps, to 0 at free ends; the rate is this sum plus 2. Runs of few

@@ -1,0 +1,15 @@
+#pragma once
+// The forces of a traction at few places (numeric/layers/surface_forces.hpp).
+
+#include "numeric/layers/surface_forces.hpp"
+#include "numeric/solution/piecewise_traction.hpp"
+
+namespace steadyslide::numeric {
+
+/// The parts are not longer than `longest`. Functions that are analytic within this distance of a part are integrated to
+/// rounding: their series converge like 4.2^-n. No parts without contact.
+SurfaceForces gathered_forces(const PiecewiseTraction<double>& traction, double longest);
+/// Returns those of a traction and of its coarser ones, the finest first.
+std::vector<SurfaceForces> gathered_on_meshes(const PiecewiseTraction<double>& traction, double longest);
+
+}  // namespace steadyslide::numeric
