@@ -53,7 +53,8 @@ void refuse_conflicts(const Given& given, const SolveOptions& options) {
   constexpr const char* one_load_and_direction = "the intervals are those of one load and direction";
   refuse({
       conflict("--load-steps", follows, {"--at", "--at-file", "--samples"}, "samples are those of one load"),
-      conflict("--load-steps", follows, {"--stress-at", "--displacement-at", "--loads-on", "--max-stress"},
+      conflict("--load-steps", follows,
+               {"--stress-at", "--displacement-at", "--interfaces", "--loads-on", "--max-stress"},
                "stresses and forces are those of one load"),
       conflict("--plot", options.plot.has_value(), {"--load-steps"}, "a picture shows one solution"),
       {options.over && options.certify, "--over: conflicting option", "averages have estimates, no proof", "--certify"},
@@ -67,8 +68,11 @@ void refuse_conflicts(const Given& given, const SolveOptions& options) {
       conflict("--certify", options.certify, {"--accuracy"}, "a proof takes equal cells on the whole support"),
       conflict("--certify", options.certify, {"--displacement-at"}, "displacements have estimates, no proof"),
       conflict("--stress-at", csv && given.has("--stress-at"),
-               {"--displacement-at", "--loads-on", "--max-stress", "--at", "--at-file", "--samples"}, one_table),
+               {"--displacement-at", "--interfaces", "--loads-on", "--max-stress", "--at", "--at-file", "--samples"},
+               one_table),
       conflict("--displacement-at", csv && given.has("--displacement-at"),
+               {"--loads-on", "--max-stress", "--at", "--at-file", "--samples"}, one_table),
+      conflict("--interfaces", csv && given.has("--interfaces"),
                {"--loads-on", "--max-stress", "--at", "--at-file", "--samples"}, one_table),
       conflict("--loads-on", csv && given.has("--loads-on"), {"--max-stress", "--at", "--at-file", "--samples"},
                one_table),
@@ -117,6 +121,7 @@ FieldWanted field_wanted(const Given& given) {
   if (const auto file = given.name("--stress-at", "file")) wanted.points = read_depth_points(*file);
   if (const auto file = given.name("--displacement-at", "file")) wanted.displaced = read_depth_points(*file);
   if (const auto file = given.name("--loads-on", "file")) wanted.mesh = std::make_shared<MeshFile>(read_mesh(*file));
+  wanted.interfaces = given.has("--interfaces");
   wanted.largest_stress = given.has("--max-stress");
   if (!given.has("--depth")) return wanted;
   wanted.depth = size_of(given, "--depth", "a depth is at least 0");
@@ -141,6 +146,7 @@ std::vector<Option> solve_option_list() {
        {"--plot", "FILE", "Draw indenter, surface and tractions into FILE.svg, .pdf or .png, by gnuplot"},
        {"--stress-at", "FILE", "Stresses at the points x,z of a table, z >= 0 into the body"},
        {"--displacement-at", "FILE", "Displacements at the points x,z of a table, up to a constant of the half-plane"},
+       {"--interfaces", "", "The largest shear and tension at each interface of layers, and where", Option::Kind::flag},
        {"--loads-on", "FILE", "Nodal forces on a mesh of the surface: a table of nodes x, or x,order"},
        {"--max-stress", "", "The largest von Mises stress in the body, and where; with --certify a lower bound",
         Option::Kind::flag},
@@ -185,8 +191,14 @@ SolveOptions solve_options(const Given& given) {
 
 void check_method(const SolveOptions& options, const Problem& problem) {
   const bool on_cells = takes_variational(options.method, problem.contact, options.certify, options.common.digits);
-  const bool proves_on_cells = on_cells && options.certify, half_plane = problem.contact.body().is_half_plane();
-  const bool periodic = problem.contact.body().period().has_value();
+  const Body& body = problem.contact.body();
+  const FieldWanted& field = options.field;
+  const bool proves_on_cells = on_cells && options.certify, half_plane = body.is_half_plane();
+  const bool periodic = body.period().has_value();
+  const bool layered = !body.layers().empty();
+  Rational bottom = 0;
+  for (const Layer& layer : body.layers()) bottom += layer.thickness;
+  const auto in_base = std::ranges::find_if(field.points, [&](const DepthPoint& point) { return point.z > bottom; });
   const std::string method = "--method " + options.method_name, digits = std::to_string(options.common.digits);
   const std::string cells_rule = "it goes with --method variational, and with auto where that takes it";
   refuse({
@@ -207,8 +219,17 @@ void check_method(const SolveOptions& options, const Problem& problem) {
        "--certify: no certificate", library::no_periodic_certificate, problem.file},
       {options.tolerance && !half_plane, "--tolerance-profile, --tolerance-friction: body without a bound",
        "the bound is that of the half-plane", problem.file},
-      {options.field.is_inside() && !half_plane, "--stress-at, --displacement-at, --max-stress: body without a field",
-       "the field inside is that of the half-plane", problem.file},
+      {field.interfaces && !layered, "--interfaces: body without layers", "an interface is the lower side of a layer",
+       problem.file},
+      {field.has_stress() && !half_plane && !layered, "--stress-at, --max-stress: body without a field",
+       "stresses inside are those of the half-plane and of layers", problem.file},
+      {!field.displaced.empty() && !half_plane, "--displacement-at: body without a field",
+       "displacements inside are those of the half-plane", problem.file},
+      {field.largest_stress && options.over && !half_plane, "--over, --max-stress: body without averages",
+       "averages are those of the half-plane", problem.file},
+      {layered && !body.base() && in_base != field.points.end(), "--stress-at: place in the rigid base",
+       "z is at most " + library::exact_text(bottom),
+       in_base == field.points.end() ? "" : library::exact_text(in_base->z)},
       {options.field.largest_stress && !problem.contact.elasticity().half_space(), "--max-stress: no von Mises stress",
        "it needs the half-space's poisson in place of gamma", problem.file},
       {!options.field.displaced.empty() && !problem.contact.elasticity().half_space(),

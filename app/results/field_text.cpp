@@ -5,6 +5,7 @@
 #include "enclosure/contact/interior_stress.hpp"
 #include "enclosure/contact/nodal_forces.hpp"
 #include "numeric/interior/average_stress.hpp"
+#include "numeric/interior/interface_stress.hpp"
 #include "numeric/interior/interior_displacement.hpp"
 #include "numeric/interior/largest_stress.hpp"
 #include "numeric/interior/surface_stress.hpp"
@@ -138,32 +139,44 @@ FieldText field_text(const ContactProblem& problem, const numeric::ContactSoluti
                      const FieldWanted& wanted, const std::optional<Rational>& over, int digits) {
   if (!wanted.any()) return {};
   NumberWriter number(digits);
-  const numeric::InteriorStress<R> interior(solution);
+  const numeric::PiecewiseTraction<R> traction = solution.piecewise_traction();
+  std::optional<numeric::InteriorStress<R>> stress;
+  if (wanted.has_stress()) stress.emplace(problem, solution);
   FieldText text = points_and_nodes(
       wanted, number,
       [&](const Rational& x, const Rational& z) {
-        return z > 0 ? interior.at(x, z) : numeric::surface_stress(problem.elasticity(), solution.details_at(x));
+        return z > 0 ? stress->at(x, z) : numeric::surface_stress(problem.elasticity(), solution.details_at(x));
       },
-      [&](const SurfaceMesh& mesh) { return numeric::nodal_forces<R>(interior.traction(), mesh); });
+      [&](const SurfaceMesh& mesh) { return numeric::nodal_forces<R>(traction, mesh); });
   if (!wanted.displaced.empty()) {
-    const numeric::InteriorDisplacement<R> displacement(interior.traction(), problem.origin_of_displacement());
+    const numeric::InteriorDisplacement<R> displacement(traction, problem.origin_of_displacement());
     for (const auto& [x, z] : wanted.displaced) {
       const numeric::Displacement<R> there = displacement.at(x, z);
       text.displacements.push_back({full_number(x, digits), full_number(z, digits), number(there.x), number(there.z)});
     }
+  }
+  if constexpr (std::same_as<R, double>) {
+    const auto interfaces =
+        wanted.interfaces ? numeric::interface_stresses(*stress) : std::vector<numeric::InterfaceStress>();
+    for (const auto& [depth, shear, shear_x, tension, tension_x] : interfaces) {
+      number.judge(tension.value > 0);  // without tension it has no place
+      text.interfaces.push_back(
+          {full_number(depth, digits), number(shear), number(shear_x), number(tension), number(tension_x)});
+    }
+    number.judge(true);
   }
   if (wanted.largest_stress) {
     const R depth = wanted.depth ? numeric::to_real<R>(*wanted.depth) : numeric::default_depth(solution);
     LargestStressText told;
     for (const Estimate<R>& x : numeric::unbounded_places(solution)) told.unbounded_at.push_back(number(x));
     told.depth = full_number(depth, digits);
-    if (const auto largest = numeric::largest_stress<R>(interior, depth)) {
+    if (const auto largest = numeric::largest_stress<R>(*stress, depth)) {
       told.von_mises = number(largest->von_mises);
       told.x = number(largest->x);
       told.z = number(largest->z);
     }
     if constexpr (std::same_as<R, double>) {
-      if (over) told.average = average_text(interior.traction(), *over, number, digits);
+      if (over) told.average = average_text(traction, *over, number, digits);
     }
     text.largest_stress = std::move(told);
   }

@@ -22,12 +22,14 @@ struct FieldWanted {
   std::vector<DepthPoint> points;     ///< of stresses
   std::vector<DepthPoint> displaced;  ///< of displacements
   std::shared_ptr<const MeshFile> mesh;
+  bool interfaces = false;
   bool largest_stress = false;
   std::optional<Rational> depth;  ///< the smallest depth for the largest stress; absent for numeric::default_depth
 
   /// True if something below the surface is wanted.
-  bool is_inside() const { return !points.empty() || !displaced.empty() || largest_stress; }
-  bool any() const { return !points.empty() || !displaced.empty() || mesh || largest_stress; }
+  bool is_inside() const { return has_stress() || !displaced.empty(); }
+  bool has_stress() const { return !points.empty() || interfaces || largest_stress; }
+  bool any() const { return is_inside() || mesh; }
 };
 
 /// Texts are empty if the problem has no materials.
@@ -40,6 +42,11 @@ struct StressText {
 struct DisplacementText {
   std::string x, z;
   NumberText along, down;  ///< u_x, and u_z into the body
+};
+
+struct InterfaceText {
+  std::string depth;
+  NumberText shear, shear_x, tension, tension_x;
 };
 
 struct NodalForceText {
@@ -63,11 +70,15 @@ struct LargestStressText {
 struct FieldText {
   std::vector<StressText> stresses;
   std::vector<DisplacementText> displacements;
+  std::vector<InterfaceText> interfaces;
   std::vector<NodalForceText> nodal_forces;
   std::optional<LargestStressText> largest_stress;
   bool in_range = true;  ///< false: some value is NaN or infinite
 
-  bool any() const { return !stresses.empty() || !displacements.empty() || !nodal_forces.empty() || largest_stress; }
+  bool any() const {
+    return !stresses.empty() || !displacements.empty() || !interfaces.empty() || !nodal_forces.empty() ||
+           largest_stress;
+  }
 };
 
 /// Throws InvalidFile if contact lies outside the mesh. With a window `over`, the largest stress has an average.

@@ -200,6 +200,12 @@ void add_field(Json& json, const FieldText& field) {
       return with(Json(), "x", decimal_json(at.x), "z", decimal_json(at.z), "ux", at.along, "uz", at.down);
     });
   }
+  if (!field.interfaces.empty()) {
+    json["interfaces"] = array(field.interfaces, [](const InterfaceText& one) {
+      return with(Json(), "depth", decimal_json(one.depth), "shear", one.shear, "shear_x", one.shear_x, "tension",
+                  one.tension, "tension_x", one.tension_x);
+    });
+  }
   if (!field.nodal_forces.empty()) {
     json["nodal_forces"] = array(field.nodal_forces, [](const NodalForceText& force) {
       return with(Json(), "x", decimal_json(force.x), "normal", force.normal, "tangential", force.tangential);

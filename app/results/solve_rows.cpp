@@ -59,6 +59,12 @@ void write_displacements(const SolutionText& solution, const std::vector<Cell>& 
   }
 }
 
+void write_interfaces(const SolutionText& solution, const std::vector<Cell>& first, Rows& rows) {
+  for (const auto& [depth, shear, shear_x, tension, tension_x] : solution.field.interfaces) {
+    rows.row(joined<Cell>(first, {depth, shear, shear_x, tension, tension_x}, {}));
+  }
+}
+
 void write_nodal_forces(const SolutionText& solution, const std::vector<Cell>& first, Rows& rows) {
   for (const auto& [x, normal, tangential] : solution.field.nodal_forces) {
     rows.row(joined<Cell>(first, {x, normal, tangential}, {}));
@@ -80,24 +86,29 @@ struct Table {
   void (*write)(const SolutionText& solution, const std::vector<Cell>& first, Rows& rows);
 };
 
-const std::array<Table, 5> tables{{{"stresses in the body (tension positive; z into the body; force per area)",
-                                    [](const FieldText& field) { return !field.stresses.empty(); },
-                                    {"x", "z", number("sxx"), number("szz"), number("sxz"), number("syy"),
-                                     number("von_mises"), number("largest_shear")},
-                                    write_stresses},
-                                   {"displacements of the body (along x, into the body; 0 where u is 0)",
-                                    [](const FieldText& field) { return !field.displacements.empty(); },
-                                    {"x", "z", number("ux"), number("uz")},
-                                    write_displacements},
-                                   {"nodal forces on the body (normal into the body, tangential along +x)",
-                                    [](const FieldText& field) { return !field.nodal_forces.empty(); },
-                                    {"x", number("normal"), number("tangential")},
-                                    write_nodal_forces},
-                                   {"",
-                                    [](const FieldText& field) { return field.largest_stress.has_value(); },
-                                    {"depth", number("von_mises"), number("x"), number("z"), "over"},
-                                    write_largest_stress},
-                                   {"", [](const FieldText&) { return true; }, sample_columns, write_samples}}};
+const std::array<Table, 6> tables{
+    {{"stresses in the body (tension positive; z into the body; force per area)",
+      [](const FieldText& field) { return !field.stresses.empty(); },
+      {"x", "z", number("sxx"), number("szz"), number("sxz"), number("syy"), number("von_mises"),
+       number("largest_shear")},
+      write_stresses},
+     {"displacements of the body (along x, into the body; 0 where u is 0)",
+      [](const FieldText& field) { return !field.displacements.empty(); },
+      {"x", "z", number("ux"), number("uz")},
+      write_displacements},
+     {"interfaces (the largest shear and tension along each, and their places)",
+      [](const FieldText& field) { return !field.interfaces.empty(); },
+      {"depth", number("shear"), number("shear_x"), number("tension"), number("tension_x")},
+      write_interfaces},
+     {"nodal forces on the body (normal into the body, tangential along +x)",
+      [](const FieldText& field) { return !field.nodal_forces.empty(); },
+      {"x", number("normal"), number("tangential")},
+      write_nodal_forces},
+     {"",
+      [](const FieldText& field) { return field.largest_stress.has_value(); },
+      {"depth", number("von_mises"), number("x"), number("z"), "over"},
+      write_largest_stress},
+     {"", [](const FieldText&) { return true; }, sample_columns, write_samples}}};
 
 /// Returns the table of a CSV file: the first that was requested.
 const Table& requested_table(const SolutionText& solution) {

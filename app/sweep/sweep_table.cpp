@@ -93,8 +93,10 @@ SolutionText SweepTable::solved(std::size_t n) const {
       failed.reason = digits_on_cells;
       return failed;
     }
-    if (wanted_.solution.field.is_inside() && !problem.contact.body().is_half_plane()) {
-      failed.reason = "the field inside is that of the half-plane";
+    const Body& body = problem.contact.body();
+    if (wanted_.solution.field.is_inside() && !body.is_half_plane() &&
+        (body.layers().empty() || wanted_.solution.over)) {
+      failed.reason = "stresses inside are those of the half-plane and of layers, averages those of the half-plane";
       return failed;
     }
     return Solver(wanted_).solve(problem);

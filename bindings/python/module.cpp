@@ -36,6 +36,7 @@ inline auto fields(const SurfaceSample& s) {
 inline auto fields(const Residuals& r) { return std::tie(r.equation, r.load, r.penetration, r.tension); }
 inline auto fields(const EstimatedError& e) { return std::tie(e.ends, e.traction, e.resultants); }
 inline auto fields(const Displacement& d) { return std::tie(d.x, d.z); }
+inline auto fields(const InterfaceStress& s) { return std::tie(s.depth, s.shear, s.shear_x, s.tension, s.tension_x); }
 inline auto fields(const LargestStress& s) { return std::tie(s.depth, s.von_mises, s.x, s.z, s.unbounded_at); }
 inline auto fields(const NodalForce& f) { return std::tie(f.normal, f.tangential); }
 inline auto fields(const Proof& p) { return std::tie(p.proved, p.reason, p.certificate, p.unresolved_gaps); }
@@ -245,6 +246,7 @@ PYBIND11_MODULE(_core, m) {
             return s.max_stress(exact(depth), exact(over));
           },
           Released())
+      .def("interface_stress", &ss::Solution::interface_stress, Released())
       .def("picture", &picture_of)
       .def(
           "nodal_forces",

@@ -10,6 +10,7 @@
 #include "library/solve/warnings.hpp"
 #include "library/text/number_format.hpp"
 #include "numeric/interior/average_stress.hpp"
+#include "numeric/interior/interface_stress.hpp"
 #include "numeric/interior/interior_displacement.hpp"
 #include "numeric/interior/interior_stress.hpp"
 #include "numeric/interior/largest_stress.hpp"
@@ -249,6 +250,17 @@ class SolvedIn final : public Solution::State {
     return result;
   }
 
+  std::vector<InterfaceStress> interface_stress() const override {
+    std::vector<InterfaceStress> result;
+    if constexpr (std::same_as<R, double>) {
+      for (const auto& [depth, shear, shear_x, tension, tension_x] : numeric::interface_stresses(interior())) {
+        result.push_back(
+            {number_(Estimate<double>{depth}), number_(shear), number_(shear_x), number_(tension), number_(tension_x)});
+      }
+    }
+    return result;
+  }
+
   std::vector<NodalForce> nodal_forces(const Mesh& mesh) const override {
     std::vector<NodalForce> result;
     for (const auto& force : numeric::nodal_forces(interior().traction(), SurfaceMesh(nodes_of(mesh), mesh.order))) {
@@ -282,7 +294,11 @@ class SolvedIn final : public Solution::State {
   }
 
   const numeric::InteriorStress<R>& interior() const {
-    return interior_([&] { return numeric::InteriorStress<R>(*solution_); });
+    const Body& body = contact_problem(problem).body();
+    return interior_([&] {
+      return body.layers().empty() ? numeric::InteriorStress<R>(*solution_)
+                                   : numeric::InteriorStress<R>(contact_problem(problem), *solution_);
+    });
   }
 
   std::shared_ptr<const numeric::ContactSolution<R>> solution_;

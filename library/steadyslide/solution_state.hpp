@@ -60,6 +60,7 @@ struct Solution::State {
   virtual std::vector<Stress> stress(std::span<const double> x, std::span<const double> z) const = 0;
   virtual Displacement displacement(const Rational& x, const Rational& z) const = 0;
   virtual LargestStress max_stress(const std::optional<Rational>& depth, const std::optional<Rational>& over) const = 0;
+  virtual std::vector<InterfaceStress> interface_stress() const = 0;
   virtual std::vector<NodalForce> nodal_forces(const Mesh& mesh) const = 0;
   virtual ApproximateContact approximate_contact() const = 0;
   virtual AnySolution solution() const = 0;

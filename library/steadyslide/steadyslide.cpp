@@ -133,8 +133,21 @@ void check_materials(const Problem& problem, const std::string& of, const std::s
 
 void check_half_plane(const Problem& problem, const std::string& of) {
   if (contact_problem(problem).body().is_half_plane()) return;
-  throw InvalidData(of, of + ": body without a field", "the field inside is that of the half-plane",
+  throw InvalidData(of, of + ": body without a field", "displacements and averages inside are those of the half-plane",
                     "layers, a period or symbols");
+}
+
+/// Throws InvalidData if the body has no stresses, or none at a depth of up to `z`.
+void check_stress(const Problem& problem, const std::string& of, const Rational& z = 0) {
+  const Body& body = contact_problem(problem).body();
+  if (!body.is_half_plane() && body.layers().empty()) {
+    throw InvalidData(of, of + ": body without a field", "stresses inside are those of the half-plane and of layers",
+                      "a period or symbols");
+  }
+  Rational bottom = 0;
+  for (const Layer& layer : body.layers()) bottom += layer.thickness;
+  if (body.is_half_plane() || body.base() || z <= bottom) return;
+  throw InvalidData("z", "z: in the rigid base", "z is at most " + library::exact_text(bottom), library::exact_text(z));
 }
 
 template <class Ask>
@@ -281,8 +294,9 @@ std::vector<double> Solution::slope(std::span<const double> x) const {
 }
 
 Stress Solution::stress(const Exact& x, const Exact& z) const {
-  check_half_plane(problem(), "stress");
-  return state_->stress(rational(x, "x"), depth_of(z, "z"));
+  const Rational depth = depth_of(z, "z");
+  check_stress(problem(), "stress", depth);
+  return state_->stress(rational(x, "x"), depth);
 }
 
 Displacement Solution::displacement(const Exact& x, const Exact& z) const {
@@ -292,7 +306,8 @@ Displacement Solution::displacement(const Exact& x, const Exact& z) const {
 }
 
 LargestStress Solution::max_stress(const std::optional<Exact>& depth, const std::optional<Exact>& over) const {
-  check_half_plane(problem(), "max_stress");
+  check_stress(problem(), "max_stress");
+  if (over) check_half_plane(problem(), "max_stress");
   check_materials(problem(), "max_stress", "no von Mises stress");
   return state_->max_stress(depth ? std::optional(depth_of(*depth, "depth")) : std::nullopt,
                             over ? std::optional(window_of(*over)) : std::nullopt);
@@ -307,8 +322,13 @@ std::vector<Stress> Solution::stress(std::span<const double> x, std::span<const 
   check_finite("z", z);
   const auto wrong = std::ranges::find_if(z, [](double depth) { return depth < 0; });
   if (wrong != z.end()) depth_of(*wrong, fmt::format("z[{}]", wrong - z.begin()));
-  check_half_plane(problem(), "stress");
+  check_stress(problem(), "stress", z.empty() ? Rational(0) : Rational(*std::ranges::max_element(z)));
   return state_->stress(x, z);
+}
+
+std::vector<InterfaceStress> Solution::interface_stress() const {
+  check_stress(problem(), "interface_stress");
+  return state_->interface_stress();
 }
 
 std::vector<NodalForce> Solution::nodal_forces(const Mesh& mesh) const {

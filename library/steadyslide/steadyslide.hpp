@@ -252,6 +252,11 @@ struct LargestStress {
   std::vector<Number> unbounded_at;  ///< places of the surface next to which stresses have no bound
 };
 
+/// The largest shear and tension along an interface of layers, and their places; without tension 0, at an unknown place.
+struct InterfaceStress {
+  Number depth, shear, shear_x, tension, tension_x;
+};
+
 /// Stresses at a point of the body. With `gamma` instead of materials, yy, mean, von_mises and the gradient are absent.
 struct Stress {
   Number xx, zz, xz, largest_shear;
@@ -339,7 +344,8 @@ class STEADYSLIDE_API Solution {
   std::vector<double> slope(std::span<const double> x) const;
 
   /// Returns the stress at the depth z >= 0. At z = 0 it is that on the side of the larger pressure, and unknown where it
-  /// has no bound. Throws InvalidData if x or z is not a number, if z < 0, or if z > 0 is too small for 16 digits.
+  /// has no bound. On an interface of layers it is that of the layer above. Throws InvalidData if x or z is not a number,
+  /// if z < 0, if z is in a rigid base, if z > 0 is too small for 16 digits, or if the body has a period or given symbols.
   Stress stress(const Exact& x, const Exact& z) const;
   /// Returns the stresses at many points in double; `digits` of the numbers are empty. Both spans have the same length.
   /// Throws InvalidData as above.
@@ -354,6 +360,8 @@ class STEADYSLIDE_API Solution {
   /// gives gamma.
   LargestStress max_stress(const std::optional<Exact>& depth = std::nullopt,
                            const std::optional<Exact>& over = std::nullopt) const;
+  /// Returns the largest stresses along each interface, from the surface down; none on the half-plane.
+  std::vector<InterfaceStress> interface_stress() const;
   /// Returns one force for each node. Throws InvalidData if the mesh is invalid, or if the contact reaches beyond the
   /// mesh.
   std::vector<NodalForce> nodal_forces(const Mesh& mesh) const;

@@ -21,8 +21,8 @@ std::optional<Estimate<double>> approach(const ContactProblem& problem, const Co
   const auto on_mesh = [&](const PiecewiseTraction<double>* mesh) {
     return std::array{CorrectionSum(correction, *mesh).absolute_on_the_right(x, gamma)};
   };
-  const auto [absolute] = on_nested_meshes(std::span<const PiecewiseTraction<double>* const>(meshes), on_mesh,
-                                           traction.mesh_rates().rate);
+  const auto [absolute] =
+      on_nested_meshes(std::span<const PiecewiseTraction<double>* const>(meshes), on_mesh, traction.mesh_rates().rate);
   const Rational& origin = problem.origin_of_displacement();
   Estimate<double> height{to_real<double>(indenter.profile(origin, Side::left)(origin))};
   if (const auto tilt = solution.tilt()) height += to_real<double>(origin) * *tilt;

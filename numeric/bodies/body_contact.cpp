@@ -29,8 +29,8 @@ class BodySolution : public RiemannHilbertSolution<double> {
         relative_error_(relative_error) {
     const Body& body = problem.body();
     if (body.layers().empty()) return;
-    layers_ = std::make_unique<LayerField>(
-        problem, gathered_on_meshes(piecewise_traction(), LayerField::longest_part(body)));
+    layers_ =
+        std::make_unique<LayerField>(problem, gathered_on_meshes(piecewise_traction(), LayerField::longest_part(body)));
   }
 
   Sample<double> at(const Rational& x) const override {

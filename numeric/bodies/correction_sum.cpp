@@ -45,8 +45,7 @@ Estimate<double> CorrectionSum::absolute_on_the_right(double x, double gamma) co
     size += kernel * std::abs(forces_.normal[i]) + 4 * std::abs(forces_.tangential[i]);
     largest = std::max(largest, kernel);
   }
-  const double error =
-      16 * epsilon<double>() * size + largest * forces_.normal_error + 4 * forces_.tangential_error;
+  const double error = 16 * epsilon<double>() * size + largest * forces_.normal_error + 4 * forces_.tangential_error;
   return {sum / std::numbers::pi - height(x), error / std::numbers::pi};
 }
 

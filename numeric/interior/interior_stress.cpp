@@ -8,8 +8,7 @@ namespace steadyslide::numeric {
 
 template <Real R>
 InteriorStress<R>::InteriorStress(PiecewiseTraction<R> traction)
-    : laws_{HookesLaw<R>(traction.elasticity())},
-      meshes_(nested_sums<R, StressKernel<R>>(std::move(traction), R(1))) {}
+    : laws_{HookesLaw<R>(traction.elasticity())}, meshes_(nested_sums<R, StressKernel<R>>(std::move(traction), R(1))) {}
 
 template <Real R>
 InteriorStress<R>::InteriorStress(const ContactProblem& problem, const ContactSolution<R>& solution)
@@ -18,8 +17,8 @@ InteriorStress<R>::InteriorStress(const ContactProblem& problem, const ContactSo
   if (body.is_half_plane()) return;
   if constexpr (std::same_as<R, double>) {
     if (!body.layers().empty()) {
-      layers_ = std::make_shared<LayerField>(problem,
-                                             gathered_on_meshes(this->traction(), LayerField::longest_part(body)));
+      layers_ =
+          std::make_shared<LayerField>(problem, gathered_on_meshes(this->traction(), LayerField::longest_part(body)));
       const auto add = [&](const Solid& solid) { laws_.emplace_back(Elasticity(solid, problem.elasticity().plane())); };
       for (std::size_t n = 1; n < body.layers().size(); ++n) add(body.layers()[n].solid);
       if (body.base()) add(*body.base());

@@ -45,8 +45,7 @@ class InteriorStress : public StressField<R> {
   /// Computes the stresses at many points. The spans have the same length.
   void at(std::span<const R> x, std::span<const R> z, std::span<StressState<R>> states) const override;
   StressState<R> on_finest_mesh(const R& x, const R& z) const override;
-  /// Returns the depths of the layers' lower sides; empty for the half-plane.
-  std::vector<double> interfaces() const { return layers_ ? layers_->interfaces() : std::vector<double>(); }
+  std::vector<double> interfaces() const override { return layers_ ? layers_->interfaces() : std::vector<double>(); }
 
  private:
   using Mesh = BodySums<R, StressKernel<R>>;

@@ -74,6 +74,12 @@ class Maximum {
       }
       if (count >= panels.size()) break;
     }
+    for (const double interface : stress_.interfaces()) {
+      const R depth = interface, step = std::max(R(width / 64), R(depth / 8));
+      for (R x = panels.front().left.high - 2 * depth; x < panels.back().right.high + 2 * depth; x += step) {
+        for (const R& side : {depth, R(depth * (1 + 4 * epsilon<R>()))}) places.push_back(scanned(x, side, depth / 8));
+      }
+    }
     for (const TractionPanel<R>& panel : panels) {
       if (!panel.singular_end) continue;
       const R end = *panel.singular_end == Side::left ? panel.left.high : panel.right.high;

@@ -10,7 +10,7 @@
 // similar to its length and at the smallest depth. At a depth z the field varies on the scale z along x, or on the
 // length of the panels above if they are longer. The scan also covers places beside the ends of panels at every scale,
 // because a pressure with a power near 0 has its largest stress exponentially close to its singular point. (Places
-// nearer than 64 roundings of x are not found.) From the highest places, Newton's method on shrinking stencils leads to
+// nearer than 64 roundings of x are not found.) In layers it covers both sides of each interface. From the highest places, Newton's method on shrinking stencils leads to
 // the maxima.
 
 #include <optional>

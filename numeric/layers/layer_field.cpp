@@ -90,7 +90,8 @@ std::shared_ptr<const LayerField::Depth> LayerField::depth_at(double z, double r
   result->z = z;
   result->tractions.resize(tractions_.size());
   const std::size_t layer = layer_at(z);
-  const double decay = layer == 0 ? 2 * interfaces_.front() - z : z, below = z - (layer == 0 ? 0 : interfaces_[layer - 1]);
+  const double decay = layer == 0 ? 2 * interfaces_.front() - z : z,
+               below = z - (layer == 0 ? 0 : interfaces_[layer - 1]);
   for (const Wave& wave : *waves) {
     if (wave.k * decay > last_exponent) break;
     const WaveStresses<double> stresses = layer == 0 ? wave.transfer.defects_at(z) : wave.transfer.at(layer, below);
@@ -141,8 +142,8 @@ LayerField::Stress LayerField::at(std::size_t traction, double x, double z) cons
   const SurfaceForces& forces = tractions_[traction];
   for (std::size_t j = 0; j < 4; ++j) {
     const double rounding = epsilon<double>() * (256 * of.size[j] + reach * of.size_k[j]);
-    result[j] = {sum[j], rounding + depth->of_pressure[j] * forces.normal_error +
-                             depth->of_shear[j] * forces.tangential_error};
+    result[j] = {sum[j],
+                 rounding + depth->of_pressure[j] * forces.normal_error + depth->of_shear[j] * forces.tangential_error};
   }
   return result;
 }

@@ -43,12 +43,15 @@ class ShearRatios {
   ShearRatios(const ContactProblem& problem, const variational::CellMesh& mesh) : problem_(problem), mesh_(mesh) {
     set();
   }
-  double at(double xi) {
-    while (next_ <= xi) {
-      ++piece_;
-      set();
+  /// Returns the mean over a cell. Cells are asked for from left to right.
+  double over(double left, double right) {
+    const double length = right - left;
+    double sum = 0;
+    for (; next_ < right; ++piece_, set()) {
+      sum += ratio_ * std::max(next_ - left, 0.0);
+      left = std::max(next_, left);
     }
-    return ratio_;
+    return (sum + ratio_ * (right - left)) / length;
   }
 
  private:
@@ -274,7 +277,9 @@ std::vector<double> VariationalSolution::shear_transform(const std::vector<doubl
   std::fill(values.begin(), values.end(), 0.0);
   ShearRatios ratios(problem_, mesh());
   for (std::size_t i = 0; i < n; ++i) {
-    values[i] = ratios.at((static_cast<double>(i) + 0.5) / static_cast<double>(n) - 0.5) * traction[i];
+    values[i] = ratios.over(static_cast<double>(i) / static_cast<double>(n) - 0.5,
+                            static_cast<double>(i + 1) / static_cast<double>(n) - 0.5) *
+                traction[i];
   }
   fourier.forward();
   std::vector<double> result(n);
@@ -289,7 +294,8 @@ TwoSided<double> VariationalSolution::shear_slope(double xi, const TwoSided<doub
     ShearRatios ratios(problem_, mesh());
     const variational::SurfaceKernel half_plane;
     const double sum = sum_over(runs_, [&](std::size_t i) {
-      return ratios.at(mesh().centre(i)) * traction_[i] * half_plane.slope(mesh().left(i), mesh().right(i), xi, 0);
+      const double left = mesh().left(i), right = mesh().right(i);
+      return ratios.over(left, right) * traction_[i] * half_plane.slope(left, right, xi, 0);
     });
     return slope_beyond(c / std::numbers::pi * sum);
   }
@@ -299,7 +305,7 @@ TwoSided<double> VariationalSolution::shear_slope(double xi, const TwoSided<doub
   const double cell = mesh().length(0);
   const double change = std::max(std::abs(here - interpolated_within(fine, xi - cell)),
                                  std::abs(here - interpolated_within(fine, xi + cell)));
-  const Estimate<double> transform{here, std::max(3 * std::abs(here - interpolated_within(coarse, xi)), change / 2)};
+  const Estimate<double> transform{here, std::max(std::abs(here - interpolated_within(coarse, xi)), change / 2)};
   return {c * (transform + gamma * traction.left), c * (transform + gamma * traction.right)};
 }
 
@@ -307,9 +313,8 @@ Estimate<double> VariationalSolution::further_shear_slope(double x) const {
   const Body& body = problem_.body();
   if (body.layers().empty()) return {0, infinity<double>()};
   const PiecewiseTraction<double>& traction = surface_traction_([this] { return piecewise_traction(); });
-  const LayerField& layers = layers_([&] {
-    return LayerField(problem_, gathered_on_meshes(traction, LayerField::longest_part(body)));
-  });
+  const LayerField& layers =
+      layers_([&] { return LayerField(problem_, gathered_on_meshes(traction, LayerField::longest_part(body))); });
   std::vector<std::size_t> meshes(1 + traction.coarser().size());
   std::iota(meshes.begin(), meshes.end(), 0);
   const auto on_mesh = [&](std::size_t mesh) { return std::array{layers.at(mesh, x, 0)[0]}; };

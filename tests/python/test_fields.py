@@ -112,6 +112,27 @@ def test_the_largest_stress_is_that_of_the_command_line(name, depth):
     assert [float(told[key]["value"]) for key in ("von_mises", "x", "z")] == [average.von_mises, average.x, average.z]
 
 
+def test_stresses_of_layers_are_those_of_the_command_line_and_pass_the_interface():
+    layer = {"thickness": "0.2", "young": "1200", "poisson": "0.4"}
+    solution = ss.Problem(load=5, base="rigid", layers=[layer, layer | {"young": "3000"}], friction=["0.1", "0.4"], jumps=[0],
+                          profile="x^2/20").solve()
+    upper, lower = solution.interface_stress()
+    x = np.linspace(-0.5, 0.5, 2001)
+    at, below = solution.stress(x, 0.2), solution.stress(x, 0.2 + 1e-9)
+    for part in ("zz", "xz", "ux_x", "uz_x"):
+        np.testing.assert_allclose(getattr(at, part), getattr(below, part), atol=1e-5 * np.abs(getattr(at, part)).max())
+    assert upper.shear == pytest.approx(np.abs(at.xz).max(), rel=1e-4) and upper.tension == pytest.approx(at.zz.max(), rel=1e-3)
+    assert abs(solution.stress(lower.shear_x, 0.4).xz) == pytest.approx(lower.shear, rel=1e-10)
+    # The shear on the base carries the friction.
+    wide = np.linspace(-8, 8, 8001)
+    assert np.trapz(solution.stress(wide, 0.4).xz, wide) == pytest.approx(-solution.friction_force, rel=1e-6)
+    # Springs under a deformed layer: the approach is between those of the two layers.
+    assert solution.approach > 0 and solution.approach.error < 1e-8
+    assert refused(lambda: solution.stress(0, "0.41")) == "z: in the rigid base; z is at most 0.4; 0.41"
+    assert refused(lambda: solution.max_stress(over=1)).startswith("max_stress: body without a field; ")
+    assert refused(lambda: solution.displacement(0, 0.1)).startswith("displacement: body without a field; ")
+
+
 def test_load_steps_and_both_directions_are_those_of_the_command_line():
     file = str(EXAMPLES / "two_bumps.toml")
     problem = ss.Problem.from_toml(file)

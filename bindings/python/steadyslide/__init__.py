@@ -20,14 +20,14 @@ import numpy as np
 
 from ._core import InvalidData, __version__
 from ._problem import Problem
-from ._results import (BothDirections, Contact, ContactEnd, Displacement, EstimatedError, Interval, LargestPressure, LargestStress,
+from ._results import (BothDirections, Contact, ContactEnd, Displacement, EstimatedError, InterfaceStress, Interval, LargestPressure, LargestStress,
                        NodalForces, Number, Picture, PossiblePoint, Proof, Residuals, Resultants, Sample, SingularPoint, Stress,
                        UnresolvedGap)
 from ._solution import Solution
 from ._wear import WearHistory
 
 __all__ = ["BothDirections", "Contact", "ContactEnd", "Displacement", "EstimatedError", "Interval", "InvalidData",
-           "LargestPressure", "LargestStress", "NodalForces", "Number", "Picture", "PossiblePoint", "Problem", "Proof", "Residuals",
+           "InterfaceStress", "LargestPressure", "LargestStress", "NodalForces", "Number", "Picture", "PossiblePoint", "Problem", "Proof", "Residuals",
            "Resultants", "Sample", "SingularPoint", "Solution", "Stress", "UnresolvedGap", "WearHistory", "__version__", "sweep", "wear"]
 
 InvalidData.__module__ = __name__

@@ -103,6 +103,7 @@ class Resultants(NamedTuple):
     tilt: Number | None
     largest_average: Number | None
     largest_average_at: Number | None
+    approach: Number | None
     core: Interval | None
 
 
@@ -146,6 +147,19 @@ class Displacement(NamedTuple):
 
     x: Values
     z: Values
+
+
+class InterfaceStress(NamedTuple):
+    """The largest |sxz| and the largest tension szz along an interface of layers, and their places.
+
+    Without tension it is 0, at nan.
+    """
+
+    depth: Number
+    shear: Number
+    shear_x: Number
+    tension: Number
+    tension_x: Number
 
 
 class LargestStress(NamedTuple):

@@ -9,7 +9,7 @@ import numpy as np
 
 from . import _core, _document
 from ._core import InvalidData
-from ._results import (Contact, ContactEnd, Displacement, EstimatedError, Exact, Interval, LargestPressure, LargestStress, NodalForces,
+from ._results import (Contact, ContactEnd, Displacement, EstimatedError, Exact, InterfaceStress, Interval, LargestPressure, LargestStress, NodalForces,
                        Number, Picture, Places, Proof, Residuals, Resultants, Sample, SingularPoint, Stress, UnresolvedGap, Values,
                        number_of)
 
@@ -43,6 +43,7 @@ class Solution:
     tilt: Number | None
     largest_average: Number | None
     largest_average_at: Number | None
+    approach: Number | None
     core: Interval | None
 
     def __init__(self, problem: "Problem", options: dict[str, Any], start: "Solution | None" = None) -> None:
@@ -340,6 +341,29 @@ class Solution:
         """
         wanted = [None if value is None else _document.exact(value, name) for name, value in (("depth", depth), ("over", over))]
         return LargestStress(*self._numbers(self._core.max_stress(*wanted)))
+
+    def interface_stress(self) -> list[InterfaceStress]:
+        """Returns the largest shear and tension along each interface of layers, from the surface down.
+
+        Returns
+        -------
+        list of InterfaceStress
+            Empty on the half-plane.
+
+        Raises
+        ------
+        InvalidData
+            If the body has a period or given symbols.
+
+        Examples
+        --------
+        >>> import steadyslide as ss
+        >>> layer = {"thickness": "1", "young": "2", "poisson": "0.3"}
+        >>> s = ss.Problem(load=1, poisson="0.3", layers=[layer], friction=["0.2"], profile="x^2").solve()
+        >>> [one.depth for one in s.interface_stress()]
+        [1.0]
+        """
+        return [InterfaceStress(*self._numbers(one)) for one in self._core.interface_stress()]
 
     def nodal_forces(self, nodes: Places, order: int = 1) -> NodalForces:
         """Returns the consistent nodal forces of the tractions on a mesh of the surface.

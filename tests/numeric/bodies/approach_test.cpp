@@ -48,7 +48,8 @@ TEST_CASE("the approach is the same by cells, and at two places by the integral 
     CHECK(coarse.error < 1e-3);
     // -u/c = (1/pi) int p (N - log|x - x'|) + (int_-oo^x - int_x^oo) s p/2 + (1/pi) int f p T
     const BodyKernel<double> kernel(BodySymbols<double>(problem), 10);
-    const double c = to_real<double>(problem.elasticity().compliance()), gamma = to_real<double>(problem.elasticity().gamma());
+    const double c = to_real<double>(problem.elasticity().compliance()),
+                 gamma = to_real<double>(problem.elasticity().gamma());
     const double left = found->contact().front().left.x.value, right = found->contact().front().right.x.value;
     for (const double x : {-0.3, 0.4}) {
       double displacement = 0;
@@ -68,9 +69,10 @@ TEST_CASE("the approach is the same by cells, and at two places by the integral 
           const double there = ends[k] + (ends[k + 1] - ends[k]) * v;
           if (there <= ends[k] || there >= ends[k + 1] || there == x) continue;
           const double p = -found->at(Rational(there)).traction.left.value, y = there - x;
-          displacement += weight * p *
-                          ((kernel.normal().at(y) - std::log(std::abs(y)) + f * kernel.coupling().at(y)) / std::numbers::pi +
-                           side * gamma * f / 2);
+          displacement +=
+              weight * p *
+              ((kernel.normal().at(y) - std::log(std::abs(y)) + f * kernel.coupling().at(y)) / std::numbers::pi +
+               side * gamma * f / 2);
         }
       }
       CHECK(c * displacement + 0.1 * x + 0.5 * x * x == doctest::Approx(delta.value).epsilon(1e-8));

@@ -5,7 +5,8 @@
 
 #include "numeric/bodies/body_contact.hpp"
 #include "numeric/closed_form/closed_form.hpp"
-#include "numeric/interior/interior_stress.hpp"
+#include "numeric/interior/interface_stress.hpp"
+#include "numeric/interior/largest_stress.hpp"
 #include "numeric/interior/surface_stress.hpp"
 #include "numeric/solution/gathered_forces.hpp"
 #include "numeric/variational/variational_inequality.hpp"
@@ -35,7 +36,7 @@ using Numbers = std::array<double, 4>;
 /// Returns the stresses under t = -1, t_t = r t on [-1, 1] at these x, by the midpoint rule in k.
 std::vector<Numbers> by_matrix_exponential(const Body& body, std::size_t layer, const Rational& depth, double r,
                                            const std::vector<double>& places) {
-  constexpr double step = 0.4, last = 16;
+  constexpr double step = 0.35, last = 20;
   const Lame lame(body.layers()[layer].solid, Plane::strain);
   std::vector<Numbers> sums(places.size(), Numbers{});
   for (double k = step / 2; k < last; k += step) {
@@ -62,14 +63,14 @@ std::vector<Numbers> by_matrix_exponential(const Body& body, std::size_t layer, 
 
 TEST_CASE("stresses under a uniform traction agree with a matrix exponential and a trapezoidal rule in k") {
   // On a rigid base stresses vanish exponentially, so that the midpoint rule is exact.
-  const Body body = Body::layered({{0.9_r, polymer}, {0.3_r, stiff}}, std::nullopt);
+  const Body body = Body::layered({{0.9_r, lowest}, {0.3_r, stiff}}, std::nullopt);
   const double r = 0.7;
-  PiecewiseTraction<double> traction{Elasticity(polymer)};
+  PiecewiseTraction<double> traction{Elasticity(lowest)};
   traction.add({-1, 0}, {1, 0}, 2, -1, r);
   const LayerField field(pressed(body, {0}, one_piece(-1, 1, {0})),
                          {gathered_forces(traction, LayerField::longest_part(body))});
   const InteriorStress<double> half_plane(traction);
-  const double c = static_cast<double>(Lame(polymer, Plane::strain).compliance());
+  const double c = static_cast<double>(Lame(lowest, Plane::strain).compliance());
   CHECK(field.layer_at(0.9) == 0);
   CHECK(field.layer_at(0.91) == 1);
   const std::vector<double> places{-1.7, 0.25};
@@ -94,8 +95,10 @@ TEST_CASE("stresses under a uniform traction agree with a matrix exponential and
 
 TEST_CASE("a layer of the base's own solid, and a thick layer, have the stresses of the half-plane") {
   const Indenter parabola = one_piece(-2, 2, {0, 0, 2});
-  const ContactProblem problem = pressed(Body::layered({{0.3_r, lowest}, {0.4_r, lowest}}, lowest), {0.2_r, 0.6_r}, parabola);
-  const ContactProblem thick = pressed(Body::layered({{Rational(100000), lowest}}, std::nullopt), {0.2_r, 0.6_r}, parabola);
+  const ContactProblem problem =
+      pressed(Body::layered({{0.3_r, lowest}, {0.4_r, lowest}}, lowest), {0.2_r, 0.6_r}, parabola);
+  const ContactProblem thick =
+      pressed(Body::layered({{Rational(100000), lowest}}, std::nullopt), {0.2_r, 0.6_r}, parabola);
   const auto solution = by_riemann_hilbert(problem);
   const auto on_thick = by_riemann_hilbert(thick);
   const InteriorStress<double> layered(problem, *solution), deep(thick, *on_thick), half_plane(*solution);
@@ -172,4 +175,47 @@ TEST_CASE("stresses in layers tend to those at the surface, which contain the sl
   }
   // Control: the half-plane under this traction is stressed otherwise.
   CHECK(std::abs(InteriorStress<double>(*solution).at(0, 0.4_r).zz.value - stress.at(0, 0.4_r).zz.value) > 0.01);
+}
+
+TEST_CASE("the largest stresses of layers and their interfaces: Hertz's contact, and a fine grid") {
+  // A quarter of the largest pressure, half of the contact's half-width below it [Joh85, section 4.2].
+  const ContactProblem hertz = pressed(Body::layered({{1_r, lowest}}, lowest), {0}, one_piece(-9, 9, {0, 0, 0.1_r}));
+  const double a = by_riemann_hilbert(hertz)->contact().front().right.x.value;
+  const ContactProblem at_half = hertz.with_body(Body::layered({{Rational(a / 2), lowest}}, lowest));
+  const auto pressure = by_riemann_hilbert(at_half);
+  const auto coating = interface_stresses(InteriorStress<double>(at_half, *pressure));
+  REQUIRE(coating.size() == 1);
+  CHECK(coating[0].shear.value == doctest::Approx(pressure->largest_pressure().value.value / 4).epsilon(1e-10));
+  CHECK(std::abs(coating[0].shear_x.value) == doctest::Approx(std::sqrt(0.75) * a).epsilon(1e-5));
+  CHECK(coating[0].tension.value == 0);
+
+  const Body body = Body::layered({{0.3_r, polymer}, {0.2_r, stiff}, {0.25_r, polymer}}, lowest);
+  const ContactProblem problem = pressed(body, {0.2_r, 0.7_r}, one_piece(-2, 2, {0, 0, 1}));
+  const auto solution = by_riemann_hilbert(problem);
+  const InteriorStress<double> stress(problem, *solution);
+  const std::vector<InterfaceStress> interfaces = interface_stresses(stress);
+  const auto largest = largest_stress<double>(stress, 0.02);
+  REQUIRE(interfaces.size() == 3);
+  CHECK(interfaces[0].tension.value > 1e-3);
+  double von_mises = 0;
+  for (std::size_t n = 0; n < 3; ++n) {
+    double shear = 0, tension = 0;
+    for (double x = -6; x < 6; x += 0.005) {
+      const StressState<double> above = stress.on_finest_mesh(x, interfaces[n].depth);
+      von_mises = std::max({von_mises, above.von_mises()->value,
+                            stress.on_finest_mesh(x, interfaces[n].depth + 1e-9).von_mises()->value});
+      shear = std::max(shear, std::abs(above.xz.value));
+      tension = std::max(tension, above.zz.value);
+    }
+    CHECK(interfaces[n].shear.value == doctest::Approx(shear).epsilon(1e-3));
+    CHECK(interfaces[n].shear.value >= shear);
+    CHECK(interfaces[n].tension.value == doctest::Approx(tension).epsilon(1e-3));
+    CHECK(interfaces[n].tension.value >= tension);
+    const StressState<double> there = stress.at(Rational(interfaces[n].shear_x.value), Rational(interfaces[n].depth));
+    CHECK(std::abs(there.xz.value) == doctest::Approx(interfaces[n].shear.value).epsilon(1e-10));
+  }
+  // The stiff layer has the largest stress, at an interface.
+  CHECK(largest->von_mises.value == doctest::Approx(von_mises).epsilon(1e-3));
+  CHECK(largest->von_mises.value >= von_mises);
+  CHECK((largest->z.value - 0.3) * (largest->z.value - 0.5) == doctest::Approx(0).epsilon(1e-6));
 }

@@ -99,6 +99,5 @@ TEST_CASE("stresses: a slipping interface has no shear, a bonded one passes both
   CHECK(std::abs(stress.at(1, 0.3).zz - stress.at(2, 0).zz) < 1e-14);
   CHECK(std::abs(stress.at(2, 100).zz) < 1e-100);
   CHECK_THROWS_AS(stress.at(3, 0), std::out_of_range);
-  CHECK_THROWS_AS(LayerStress<double>(BodySymbols<double>(Elasticity(hard), Body{}), 1.0),
-                  std::invalid_argument);
+  CHECK_THROWS_AS(LayerStress<double>(BodySymbols<double>(Elasticity(hard), Body{}), 1.0), std::invalid_argument);
 }
