@@ -94,9 +94,8 @@ SolutionText SweepTable::solved(std::size_t n) const {
       return failed;
     }
     const Body& body = problem.contact.body();
-    if (wanted_.solution.field.is_inside() && !body.is_half_plane() &&
-        (body.layers().empty() || wanted_.solution.over)) {
-      failed.reason = "stresses inside are those of the half-plane and of layers, averages those of the half-plane";
+    if (wanted_.solution.field.is_inside() && (body.symbols() || (!body.is_half_plane() && wanted_.solution.over))) {
+      failed.reason = "given symbols do not tell the stresses inside, and averages are those of the half-plane";
       return failed;
     }
     return Solver(wanted_).solve(problem);

@@ -294,10 +294,10 @@ class SolvedIn final : public Solution::State {
   }
 
   const numeric::InteriorStress<R>& interior() const {
-    const Body& body = contact_problem(problem).body();
     return interior_([&] {
-      return body.layers().empty() ? numeric::InteriorStress<R>(*solution_)
-                                   : numeric::InteriorStress<R>(contact_problem(problem), *solution_);
+      return contact_problem(problem).body().symbols()
+                 ? numeric::InteriorStress<R>(*solution_)
+                 : numeric::InteriorStress<R>(contact_problem(problem), *solution_);
     });
   }
 

@@ -140,13 +140,11 @@ void check_half_plane(const Problem& problem, const std::string& of) {
 /// Throws InvalidData if the body has no stresses, or none at a depth of up to `z`.
 void check_stress(const Problem& problem, const std::string& of, const Rational& z = 0) {
   const Body& body = contact_problem(problem).body();
-  if (!body.is_half_plane() && body.layers().empty()) {
-    throw InvalidData(of, of + ": body without a field", "stresses inside are those of the half-plane and of layers",
-                      "a period or symbols");
-  }
+  if (body.symbols())
+    throw InvalidData(of, of + ": body without a field", "given symbols do not tell the stresses inside", "symbol");
   Rational bottom = 0;
   for (const Layer& layer : body.layers()) bottom += layer.thickness;
-  if (body.is_half_plane() || body.base() || z <= bottom) return;
+  if (body.layers().empty() || body.base() || z <= bottom) return;
   throw InvalidData("z", "z: in the rigid base", "z is at most " + library::exact_text(bottom), library::exact_text(z));
 }
 

@@ -345,7 +345,7 @@ class STEADYSLIDE_API Solution {
 
   /// Returns the stress at the depth z >= 0. At z = 0 it is that on the side of the larger pressure, and unknown where it
   /// has no bound. On an interface of layers it is that of the layer above. Throws InvalidData if x or z is not a number,
-  /// if z < 0, if z is in a rigid base, if z > 0 is too small for 16 digits, or if the body has a period or given symbols.
+  /// if z < 0, if z is in a rigid base, if z > 0 is too small for 16 digits, or if the body has given symbols.
   Stress stress(const Exact& x, const Exact& z) const;
   /// Returns the stresses at many points in double; `digits` of the numbers are empty. Both spans have the same length.
   /// Throws InvalidData as above.

@@ -15,17 +15,16 @@ InteriorStress<R>::InteriorStress(const ContactProblem& problem, const ContactSo
     : InteriorStress(solution) {
   const Body& body = problem.body();
   if (body.is_half_plane()) return;
-  if constexpr (std::same_as<R, double>) {
-    if (!body.layers().empty()) {
-      layers_ =
-          std::make_shared<LayerField>(problem, gathered_on_meshes(this->traction(), LayerField::longest_part(body)));
-      const auto add = [&](const Solid& solid) { laws_.emplace_back(Elasticity(solid, problem.elasticity().plane())); };
-      for (std::size_t n = 1; n < body.layers().size(); ++n) add(body.layers()[n].solid);
-      if (body.base()) add(*body.base());
-      return;
-    }
+  if (body.period()) {
+    images_ = std::make_shared<PeriodicImages>(
+        problem, gathered_on_meshes(this->traction(), PeriodicImages::longest_part(body)));
+    return;
   }
-  throw std::invalid_argument("stresses below the surface are those of the half-plane or, in double, of layers");
+  if (body.layers().empty()) throw std::invalid_argument("given symbols do not tell stresses below the surface");
+  layers_ = std::make_shared<LayerField>(problem, gathered_on_meshes(this->traction(), LayerField::longest_part(body)));
+  const auto add = [&](const Solid& solid) { laws_.emplace_back(Elasticity(solid, problem.elasticity().plane())); };
+  for (std::size_t n = 1; n < body.layers().size(); ++n) add(body.layers()[n].solid);
+  if (body.base()) add(*body.base());
 }
 
 template <Real R>
@@ -36,21 +35,30 @@ StressState<R> InteriorStress<R>::at(const SurfacePlace<R>& x, const R& z, std::
     const Estimate<R> unknown{R(std::numeric_limits<double>::quiet_NaN()), infinity<R>()};
     return laws_.front().completed(unknown, unknown, unknown, unknown);
   }
+  const R period = images_ ? to_real<R>(images_->period()) : R(0);
+  const SurfacePlace<R> place = images_ ? x.moved(-period * images_->periods_away(static_cast<double>(x.high))) : x;
   const auto on_mesh = [&](const Mesh& mesh) {
     std::array<Estimate<R>, 4> stress;
-    if (layer == 0) {
-      const ForceSums<R> sums = mesh.at(x, z, nodes);
+    const auto add_half_plane = [&](const SurfacePlace<R>& there) {
+      const ForceSums<R> sums = mesh.at(there, z, nodes);
       const auto normal = [&](std::size_t j) { return Estimate<R>{sums.normal[j], sums.normal_error[j]}; };
       const auto tangential = [&](std::size_t j) { return Estimate<R>{sums.tangential[j], sums.tangential_error[j]}; };
       const R factor = 2 / pi<R>();
-      stress = {factor * (normal(2) - tangential(3)), factor * (normal(0) - tangential(1)),
-                factor * (normal(1) - tangential(2)), normal(1) + normal(3) + tangential(0) + tangential(2)};
+      stress[0] += factor * (normal(2) - tangential(3));
+      stress[1] += factor * (normal(0) - tangential(1));
+      stress[2] += factor * (normal(1) - tangential(2));
+      stress[3] += normal(1) + normal(3) + tangential(0) + tangential(2);
+    };
+    if (layer == 0) add_half_plane(place);
+    if (images_) {
+      for (const int side : {-1, 1}) add_half_plane(place.moved(side * period));
     }
-    if constexpr (std::same_as<R, double>) {
-      if (!layers_) return stress;
-      const LayerField::Stress smooth = layers_->at(static_cast<std::size_t>(&mesh - meshes_.data()), x.high, z);
-      for (std::size_t j = 0; j < 4; ++j) stress[j] += (j == 3 ? pi<R>() : 1) * smooth[j];
-    }
+    if (!layers_ && !images_) return stress;
+    const auto index = static_cast<std::size_t>(&mesh - meshes_.data());
+    const auto at_x = static_cast<double>(place.high), at_z = static_cast<double>(z);
+    const auto smooth = layers_ ? layers_->at(index, at_x, at_z) : images_->at(index, at_x, at_z);
+    for (std::size_t j = 0; j < 4; ++j)
+      stress[j] += (j == 3 ? pi<R>() : R(1)) * Estimate<R>{R(smooth[j].value), R(smooth[j].error)};
     return stress;
   };
   // Cells do not resolve the stress at depths like their length.

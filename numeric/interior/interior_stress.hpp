@@ -17,12 +17,14 @@
 //
 // The sums over the contact and their errors are those of body_sums.hpp. On cells the errors are those that coarser
 // meshes show. In the first layer of a layered body the smooth stresses of layer_field.hpp are added. Below it these are
-// the stresses. An interface belongs to the layer above it. Each layer has its own Hooke's law.
+// the stresses. An interface belongs to the layer above it. Each layer has its own Hooke's law. In periodic contact the
+// stresses are sums over three periods, and those of periodic_images.hpp.
 
 #include "numeric/interior/body_sums.hpp"
 #include "numeric/interior/hookes_law.hpp"
 #include "numeric/interior/stress_field.hpp"
 #include "numeric/layers/layer_field.hpp"
+#include "numeric/periodic/periodic_images.hpp"
 #include "numeric/solution/contact_solution.hpp"
 
 namespace steadyslide::numeric {
@@ -33,7 +35,8 @@ class InteriorStress : public StressField<R> {
   /// The half-plane under the traction of a solution.
   explicit InteriorStress(const ContactSolution<R>& solution) : InteriorStress(solution.piecewise_traction()) {}
   explicit InteriorStress(PiecewiseTraction<R> traction);
-  /// The body of the problem. Throws std::invalid_argument unless it is the half-plane, or has layers and R is double.
+  /// The body of the problem. Throws std::invalid_argument if it has given symbols. What layers and periods add is computed
+  /// in double.
   InteriorStress(const ContactProblem& problem, const ContactSolution<R>& solution);
 
   const PiecewiseTraction<R>& traction() const override { return meshes_.front().traction(); }
@@ -55,6 +58,7 @@ class InteriorStress : public StressField<R> {
   std::vector<HookesLaw<R>> laws_;  ///< of each layer, and of an elastic base
   std::vector<Mesh> meshes_;        ///< the finest first
   std::shared_ptr<const LayerField> layers_;
+  std::shared_ptr<const PeriodicImages> images_;
 };
 
 }  // namespace steadyslide::numeric

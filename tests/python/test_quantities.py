@@ -61,4 +61,4 @@ def test_a_sweep_knows_the_same_keys(tmp_path):
     (tmp_path / "punch.toml").write_text(TILTING_PUNCH.text, "utf-8")
     sweep = 'problem = "punch.toml"\n[vary]\nload = [1]\n[output]\ncolumns = ["{}"]\n'
     refusal = printed(tmp_path, command="sweep", text=sweep.format("mood"), code=2)
-    assert refusal.split("keys here are ")[1].split("; ")[0].split(", ")[-len(KEYS):] == KEYS
+    assert refusal.split("keys here are ")[1].split("; ")[0].split(", ")[-len(ALL_KEYS):] == ALL_KEYS

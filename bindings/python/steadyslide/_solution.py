@@ -353,13 +353,13 @@ class Solution:
         Raises
         ------
         InvalidData
-            If the body has a period or given symbols.
+            If the body has given symbols.
 
         Examples
         --------
         >>> import steadyslide as ss
         >>> layer = {"thickness": "1", "young": "2", "poisson": "0.3"}
-        >>> s = ss.Problem(load=1, poisson="0.3", layers=[layer], friction=["0.2"], profile="x^2").solve()
+        >>> s = ss.Problem(load=1, base="rigid", layers=[layer], friction=["0.2"], profile="x^2").solve()
         >>> [one.depth for one in s.interface_stress()]
         [1.0]
         """
