@@ -1,19 +1,20 @@
 #include "numeric/bodies/approach.hpp"
 
 #include "numeric/bodies/correction_sum.hpp"
+#include "numeric/layers/body_symbols.hpp"
 #include "numeric/solution/mesh_error.hpp"
 
 namespace steadyslide::numeric {
 
 std::optional<Estimate<double>> approach(const ContactProblem& problem, const ContactSolution<double>& solution) {
   const Body& body = problem.body();
-  if (body.is_half_plane() || body.period() || body.base() || solution.contact().empty()) return std::nullopt;
+  if (body.is_half_plane() || body.period() || solution.contact().empty()) return std::nullopt;
+  if (!BodySymbols<double>(problem).has_absolute_displacement()) return std::nullopt;
   // At a place far from the contact the integral of log|x - x'| has no singularity.
   const Indenter& indenter = problem.indenter();
   const Rational support = indenter.right() - indenter.left(), far = indenter.right() + support;
   const std::shared_ptr<const SurfaceCorrection<double>> correction =
       surface_correction<double>(problem, to_real<double>(2 * support));
-  if (!correction->is_absolute()) return std::nullopt;
   const double x = to_real<double>(far), gamma = to_real<double>(problem.elasticity().gamma());
   const PiecewiseTraction<double> traction = solution.piecewise_traction();
   std::vector<const PiecewiseTraction<double>*> meshes{&traction};
