@@ -93,6 +93,10 @@ def without_effect(c, path):
             or key == "values" and not (pieces[k] < right and pieces[k + 1] > left))
 
 
+def both_moved(interval):
+    return [f"{float(x) + 1e-9:.17g}" for x in interval]
+
+
 def wrong_values(name, c):
     """Changes each value of a certificate: every number by 1e-9, every key away, every value to another type."""
     for path in places(c):
@@ -112,6 +116,8 @@ def wrong_values(name, c):
                               ("another kind", ("kind",), "solution"), ("nothing claimed", ("claims", "exists"), False),
                               ("a free end", ("free", 0), not c["free"][0]), ("a free end", ("free", 1), not c["free"][1]),
                               ("a coefficient more", ("traction",), c["traction"] + ["0"]),
+                              ("another friction", ("claims", "effective_friction"), both_moved),
+                              ("another centre", ("claims", "centre_of_pressure"), both_moved),
                               ("a line of action", ("problem", "load_at"), "0.01")]:
         refuse(f"{name}: {what}", c, changed_at(path, value))
 
@@ -183,11 +189,12 @@ def main():
                          'harmonics = [{n = 1, cos = "-0.1"}]')
     wrong_models(flat, certificate_of("wave without a gap", wave))
 
-    # Crests at 0 and at 1/2. Contact at 0 alone is a solution if this crest reaches further, under a small load.
-    CERTIFICATE.write_text(json.dumps(wave_claim(0.05, [-0.01, -0.01])))
-    expect("contact on the lower crest", *run(CHECKER, CERTIFICATE), {0}, "proved: the box contains a solution")
-    refuse("overlap", wave_claim(0.1, [-0.0005, -0.01]), lambda c: None, "the gap is not positive")
-    refuse("contact on the higher crest", wave_claim(0.1, [0.01, -0.01]), lambda c: None, "the gap is not positive")
+    # Crests at 0 and 1/2, or at 0 and +-1/3. Contact at 0 alone is a solution if this crest reaches further, under a small load.
+    for a, amplitudes, is_solution in ((0.05, [-0.01, -0.01], True), (0.03, [-0.01, 0.0, -0.01], True), (0.1, [0.01, -0.01], False),
+                                       (0.1, [-0.0005, -0.01], False), (0.07, [-0.0005, 0.0, -0.01], False)):
+        CERTIFICATE.write_text(json.dumps(wave_claim(a, amplitudes)))
+        words = "proved: the box contains a solution" if is_solution else "the gap is not positive"
+        expect(f"one of several crests, {amplitudes}", *run(CHECKER, CERTIFICATE), {0 if is_solution else 1}, words)
 
     for what, new in (("a parabola", 'profile = "x^2"'), ("two crests", 'harmonics = [{n = 2, cos = "-0.1"}]')):
         PROBLEM.write_text(punch.replace('profile = "0"', new).replace('"1"', '"0.1"', 1).replace("0.3", "0.5"))
