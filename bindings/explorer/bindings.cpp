@@ -167,9 +167,8 @@ class Explorer {
   }
 
   /// Von Mises stress at columns x rows points, in the middle of cells of [left, right] x [0, depth], row by row
-  /// downwards. Empty on layers.
+  /// downwards. Not a number in a rigid base.
   val stresses(double left, double right, double depth, int columns, int rows) {
-    if (!problem_->body().is_half_plane()) return column({});
     std::vector<double> x, z;
     for (int row = 0; row < rows; ++row) {
       for (int k = 0; k < columns; ++k) {
@@ -221,7 +220,7 @@ class Explorer {
   }
 
   const numeric::InteriorStress<double>& interior() {
-    if (!interior_) interior_.emplace(*solution_);
+    if (!interior_) interior_.emplace(*problem_, *solution_);
     return *interior_;
   }
 

@@ -125,11 +125,11 @@ function shade(t) {
 /// The stress of the darkest shade, in mean pressures.
 const darkest = 1.5;
 
-/// Draws the stresses, and a scale bar below them.
+/// Draws the stresses, and a scale bar below them. A rigid base is grey.
 function drawStress(canvas, stresses, columns, rows, mean, depth, x) {
   const small = new OffscreenCanvas(columns, rows), image = new ImageData(columns, rows);
   for (let i = 0; i < stresses.length; ++i) {
-    image.data.set(shade(stresses[i] / mean / darkest), 4 * i);
+    image.data.set(Number.isNaN(stresses[i]) ? [150, 150, 150] : shade(stresses[i] / mean / darkest), 4 * i);
     image.data[4 * i + 3] = 255;
   }
   small.getContext('2d').putImageData(image, 0, 0);

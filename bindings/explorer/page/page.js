@@ -191,9 +191,7 @@ function fit() {
 
 function showStresses(columns, rows, x) {
   const depth = 0.3 * (x.to - x.from);
-  const stresses = explorer.stresses(x.from, x.to, depth, columns, rows);
-  byId('stress').parentElement.hidden = stresses.length === 0;
-  drawStress(byId('stress'), stresses, columns, rows, shownResult.resultants.mean_pressure, depth, x);
+  drawStress(byId('stress'), explorer.stresses(x.from, x.to, depth, columns, rows), columns, rows, shownResult.resultants.mean_pressure, depth, x);
 }
 
 /// Draws finer stresses, sets the sentence for screen readers and the address, and shows if the independent rule
@@ -201,7 +199,8 @@ function showStresses(columns, rows, x) {
 function rest() {
   history.replaceState(null, '', `#${stateText(state)}`);
   if (!shownResult) return;
-  showStresses(places.fineColumns, places.fineRows, horizontal(profiles[state.profile].support));
+  const part = Number(state.thickness) < thickest ? 2 : 1;  // stresses of layers cost more
+  showStresses(places.fineColumns / part, places.fineRows / part, horizontal(profiles[state.profile].support));
   byId('summary').innerHTML = sentence(shownResult);
   const check = explorer.residuals();
   const worst = Math.max(check.equation, check.load, check.penetration, check.tension);
