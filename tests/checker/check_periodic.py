@@ -13,7 +13,8 @@ import sys
 import tempfile
 
 CHECKER, STEADYSLIDE = sys.argv[1:3]
-FOLDER = pathlib.Path(tempfile.mkdtemp())
+HELD = tempfile.TemporaryDirectory()
+FOLDER = pathlib.Path(HELD.name)
 PROBLEM, CERTIFICATE = FOLDER / "problem.toml", FOLDER / "certificate.json"
 failures = []
 
