@@ -320,7 +320,7 @@ std::vector<Stress> Solution::stress(std::span<const double> x, std::span<const 
   check_finite("z", z);
   const auto wrong = std::ranges::find_if(z, [](double depth) { return depth < 0; });
   if (wrong != z.end()) depth_of(*wrong, fmt::format("z[{}]", wrong - z.begin()));
-  check_stress(problem(), "stress", z.empty() ? Rational(0) : Rational(*std::ranges::max_element(z)));
+  check_stress(problem(), "stress", z.empty() ? Rational(0) : rational(*std::ranges::max_element(z), "z"));
   return state_->stress(x, z);
 }
 
