@@ -219,3 +219,24 @@ TEST_CASE("the largest stresses of layers and their interfaces: Hertz's contact,
   CHECK(largest->von_mises.value >= von_mises);
   CHECK((largest->z.value - 0.3) * (largest->z.value - 0.5) == doctest::Approx(0).epsilon(1e-6));
 }
+
+TEST_CASE("errors of stresses cover the difference to the same layer, divided in two") {
+  for (const Rational& h : {0.5_r, 0.25_r}) {
+    const auto divided = [&](const Rational& part) {
+      std::vector<Layer> layers{{part * h, polymer}};
+      if (part < 1) layers.push_back({(1 - part) * h, polymer});
+      return pressed(Body::layered(layers, lowest), {0.2_r, 0.7_r}, one_piece(-2, 2, {0, 0, 1}));
+    };
+    const ContactProblem one = divided(1), two = divided(0.7_r);
+    const InteriorStress<double> whole(one, *by_riemann_hilbert(one)), parts(two, *by_riemann_hilbert(two));
+    for (const Rational& x : {-3_r, -0.5_r, 0.05_r, 1_r}) {
+      for (const Rational& z : {0.01_r, 0.8_r, 1_r, 1.5_r}) {
+        const StressState<double> a = whole.at(x, z * h), b = parts.at(x, z * h);
+        for (const auto part : {&StressState<double>::xx, &StressState<double>::zz, &StressState<double>::xz}) {
+          CHECK(std::abs((a.*part).value - (b.*part).value) <= (a.*part).error + (b.*part).error);
+          CHECK((a.*part).error < 1e-7);
+        }
+      }
+    }
+  }
+}
