@@ -69,8 +69,10 @@ std::pair<Estimate<R>, Estimate<R>> PeriodicSolution<R>::profile(const Rational&
 
 template <Real R>
 Estimate<R> PeriodicSolution<R>::part(const Place& place, Side end) const {
-  const PanelDensity<R> density = end == Side::left ? traction().density(place.arc, R(0), place.from_right)
-                                                    : traction().density(place.arc, place.from_left, R(0));
+  PanelDensity<R> density = end == Side::left ? traction().density(place.arc, R(0), place.from_right)
+                                              : traction().density(place.arc, place.from_left, R(0));
+  // The difference of the arc and the other distance would lose the digits of a small one.
+  density.panel.length = end == Side::left ? place.from_left : place.from_right;
   const Estimate<R> integral = tanh_sinh::panel_integral(density);
   return integral.widened(4 * relative_error(place.arc, place.from_left, place.from_right));
 }

@@ -226,6 +226,18 @@ TEST_CASE("strong friction, with a power next to -1: the surface is closed") {
   }
 }
 
+TEST_CASE("the load behind a place next to an edge is a power of the distance, at any distance") {
+  const ContactProblem problem = periodic(1, {0.9_r, 0.2_r}, {0.1_r}, flat(-0.3_r, 0.3_r));
+  const auto solution = solved<double>(problem);
+  const double p = -0.5 - std::atan(0.9) / std::acos(-1.0);
+  for (const Rational& d : {Rational(1, 1'000'000'000), Rational("1/1000000000000000000")}) {
+    const double load = solution->details_at(-0.3_r + d).cumulative_load.value;
+    const double expected =
+        solution->singular_points().front().intensity.value * std::pow(to_real<double>(d), 1 + p) / (1 + p);
+    CHECK(load == doctest::Approx(expected).epsilon(1e-7));
+  }
+}
+
 TEST_CASE("the tangential displacement: its slope is periodic, and its integral over a period is 0") {
   const ContactProblem punch = all_kinds()[1], waves = all_kinds()[2];
   for (const ContactProblem& problem : {punch, waves}) {
