@@ -6,6 +6,7 @@ namespace steadyslide {
 
 std::string uniqueness_theorem(const ContactProblem& problem) {
   const std::string theorem = "uniqueness theorem for ";
+  // The ledger's entries: periodic-one-solution; unique-tilt and unique-attitude; layer-one-solution.
   const Body& body = problem.body();
   if (body.period()) return theorem + "periodic contact";
   if (body.is_half_plane()) return theorem + (problem.load_at() ? "a given line of action" : "a given attitude");

@@ -23,6 +23,13 @@ std::string text_of(const ContactProblem& problem) {
   const Indenter& indenter = problem.indenter();
   text += ", psi = " + to_string(indenter.pieces().front().profile);
   text += " on [" + to_string(indenter.left()) + ", " + to_string(indenter.right()) + "]";
+  const Body& body = problem.body();
+  if (body.period()) text += ", period " + to_string(*body.period());
+  for (const Layer& layer : body.layers()) {
+    text += std::string(", layer h = ") + to_string(layer.thickness) + ", nu = " + to_string(layer.solid.poisson()) +
+            (layer.below == Interface::slip ? ", slipping" : "");
+  }
+  if (!body.layers().empty() && !body.base()) text += ", rigid base";
   return problem.sliding() == Sliding::plus_x ? text : text + ", sliding to -x";
 }
 

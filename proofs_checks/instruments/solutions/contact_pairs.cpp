@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/bodies/body_contact.hpp"
+#include "numeric/closed_form/closed_form.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "numeric/variational/variational_inequality.hpp"
 
@@ -43,6 +45,15 @@ bool in_doubt(const SolvedContact& contact, const Rational& x) {
   });
 }
 
+/// Returns T(x). In periodic contact the right end of a support as long as the period is also the left end, with T = 0.
+Estimate<double> load_up_to(const SolvedContact& contact, const Rational& x) {
+  const Indenter& indenter = contact.problem.indenter();
+  if (x == indenter.right() && contact.problem.body().period()) {
+    return {to_real<double>(contact.problem.load()), 0};
+  }
+  return contact.solution->details_at(x).cumulative_load;
+}
+
 /// Returns the sign of q next to a singular point of both solutions, from the leading terms; 0 if they do not decide.
 int sign_at(const numeric::SolvedSingularPoint<double>& a, const numeric::SolvedSingularPoint<double>& b) {
   const bool is_end = local_terms(a.kind).is_end;
@@ -63,8 +74,13 @@ int sign_at(const numeric::SolvedSingularPoint<double>& a, const numeric::Solved
 std::string_view name_of(Method method) { return method == Method::cells ? "cells" : "Riemann-Hilbert"; }
 
 std::optional<SolvedContact> solved_contact(const ContactProblem& problem, Method method) {
-  const auto found = method == Method::riemann_hilbert ? numeric::riemann_hilbert<double>(problem)
-                                                       : numeric::variational_inequality(problem, {.cells = cells});
+  const auto by_exponents = [&] {
+    if (problem.body().period()) return numeric::closed_form<double>(problem);
+    return problem.body().is_half_plane() ? numeric::riemann_hilbert<double>(problem)
+                                          : numeric::contact_on_body(problem);
+  };
+  const auto found =
+      method == Method::riemann_hilbert ? by_exponents() : numeric::variational_inequality(problem, {.cells = cells});
   if (!found.solution || !found.solution->failed_condition().empty()) return std::nullopt;
   return SolvedContact{problem, method, found.solution};
 }
@@ -93,7 +109,7 @@ std::vector<std::pair<Estimate<double>, Estimate<double>>> cumulative_loads(cons
   for (std::size_t k = 0; k < ends.size(); ++k) {
     for (int part = 0; part < (k + 1 < ends.size() ? 2 : 1); ++part) {
       const Rational x = part == 0 ? ends[k] : ends[k] + (ends[k + 1] - ends[k]) * Rational(part, 2);
-      all.emplace_back(one.solution->details_at(x).cumulative_load, other.solution->details_at(x).cumulative_load);
+      all.emplace_back(load_up_to(one, x), load_up_to(other, x));
     }
   }
   return all;

@@ -22,7 +22,8 @@ struct SolvedContact {
   Method method;
   std::shared_ptr<const numeric::ContactSolution<double>> solution;
 };
-/// Returns nothing if the method finds no solution that meets all conditions.
+/// Returns nothing if the method finds no solution that meets all conditions. In periodic contact the closed form stands
+/// for the Riemann-Hilbert method.
 std::optional<SolvedContact> solved_contact(const ContactProblem& problem, Method method);
 
 /// The values of both solutions at one place.
