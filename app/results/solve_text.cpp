@@ -37,6 +37,10 @@ void write_contact(const SolutionText& solution, Output& output) {
   const std::size_t zones = solution.contact.size();
   for (std::size_t k = 0; k < std::min(zones, most_listed); ++k) {
     const auto& [left, right] = solution.contact[k];
+    if (left.kind == name_of(SingularKind::friction_jump)) {
+      output.write("  everywhere, without a gap: " + shown(solution.width[k]) + " in each period\n");
+      continue;
+    }
     output.write(fmt::format("  from x = {} ({}) to x = {} ({}), width {}", shown(left.x), left.kind, shown(right.x),
                              right.kind, shown(solution.width[k])));
     const bool shares = zones > 1 && !solution.component_load[k].shown.empty();
