@@ -55,11 +55,15 @@ void explain(const SolveOptions& options, const Problem& problem, const Solution
                             solution.instead.empty() ? choice.reason : solution.instead));
 }
 
-/// Has steadyslide-check, beside this program, prove a certificate. Returns its last line; throws if it is not proved.
+/// Has steadyslide-check, beside this program, prove a certificate. Returns its last line. Throws Failure if it is not
+/// proved.
 std::string checked_again(const std::string& certificate) {
   const MemoryFile file(certificate), said;
   std::error_code unknown;
   std::string program = (std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path() / "steadyslide-check");
+  if (!std::filesystem::exists(program, unknown))
+    throw Failure(ExitCode::failed,
+                  "not proved: the program that proves it is missing; it is beside this one; '" + program + "'");
   boost::replace_all(program, "'", "'\\''");
   const int status = std::system(fmt::format("'{}' {} > {} 2>&1", program, file.path(), said.path()).c_str());
   std::string text = said.text();
