@@ -190,7 +190,7 @@ class VariationalSolution : public ContactSolution<double> {
   std::vector<MeshLoads> meshes_;  ///< the finest first
   /// Errors of integrals on N cells are 1/N^rate. Exponents of this problem and of that with reversed friction add to -1 at
   /// edges and jumps, to 0 at free ends; the rate is this sum plus 2. Runs of few
-  /// cells have the rate 1.
+  /// cells and steep free ends have the rate 1.
   double mesh_rate_ = 2;
   Once<Estimate<double>> height_at_origin_;
   Once<EstimatedError<double>> estimated_error_;
