@@ -22,8 +22,10 @@ class WearHistory(NamedTuple):
         tilt is nan if the attitude is given, from_run_in if the run-in pressure is not known.
     x : numpy.ndarray
         The middles of the cells.
-    pressure, depth : numpy.ndarray
-        Pressure and worn depth of the cells at the end.
+    pressure : numpy.ndarray
+        The pressure on the cells at the end.
+    depth : numpy.ndarray
+        The worn depth on the cells at the end.
     run_in_pressure : numpy.ndarray
         The pressure with which nothing changes any more; empty if it is not known.
     failed_condition : str
