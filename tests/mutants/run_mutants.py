@@ -114,7 +114,18 @@ def selected(mutants, options):
         mutants = [mutant for mutant in mutants if mutant.id in options.only]
     if options.sample:
         mutants = [mutant for mutant in mutants if mutant.sample]
+    if options.shard:
+        # Neighbours in the list have the same killer, which runs without a mutant once in each shard.
+        number, shards = options.shard
+        mutants = mutants[(number - 1) * len(mutants) // shards:number * len(mutants) // shards]
     return mutants[: options.first]
+
+
+def shard(text):
+    number, shards = (int(part) for part in text.split("/"))
+    if not 1 <= number <= shards:
+        raise ValueError
+    return number, shards
 
 
 def parsed(arguments):
@@ -125,6 +136,7 @@ def parsed(arguments):
                         default=Path(__file__).with_name("mutants.toml"), help="another list of mutants")
     parser.add_argument("--only", metavar="ID", nargs="+", help="these mutants")
     parser.add_argument("--first", metavar="N", type=int, help="the first N of those")
+    parser.add_argument("--shard", metavar="N/M", type=shard, help="the N-th of M parts of the list")
     parser.add_argument("--sample", action="store_true", help="the few that ./check runs")
     parser.add_argument("--list", action="store_true", help="show them and run nothing")
     parser.add_argument("--check", metavar="CSV", type=Path, help="compare the list with this table and run nothing")

@@ -1,0 +1,156 @@
+#!/usr/bin/env python3
+"""quality.py [--check] [--output FILE]: writes docs/quality.md from the results that ./check left in build/*/Testing/*.xml.
+
+Each row of ROWS names tests and the numbers in their outputs, which are added. Of a test that ran several times the last result
+counts. A test that failed or did not run is named, and nothing is written. --check only looks whether each row has its tests.
+
+Exit code: 0 written, 1 a test failed or did not run, 2 a row without tests or a wrong argument.
+"""
+
+import argparse
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import xml.etree.ElementTree
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+NUMBERS = {
+    "cases": r"\[doctest\] test cases: +(\d+)", "assertions": r"\[doctest\] assertions: +(\d+)", "random": r"OK, passed (\d+) tests",
+    "proved": r"(?m)^(\d+) proved", "supported": r"(\d+) supported, \d+ undecided", "undecided": r"(\d+) undecided, \d+ refuted",
+    "controls": r"(\d+) of +\d+ controls refuted",
+    "refuted": r"(\d+) of \d+ mutants refuted", "mutants": r"\d+ of (\d+) mutants refuted",
+    "changes": r"noticed by \d+", "files": r"(\d+) changed files", "faults": r"(\d+) faults",
+    "compared": r"(?:Riemann-Hilbert|cells) +(\d+) +\d+ +\d+", "broken": r"(?:Riemann-Hilbert|cells) +\d+ +\d+ +(\d+)",
+    "certified": r"(\d+) checked", "only": r"(\d+) the only solution",
+    "honest": r"(\d+) of \d+ estimates honest", "estimates": r"\d+ of (\d+) estimates honest",
+    "lemmas": r"(\d+) lemmas compiled", "variants": r"(\d+) wrong variants compiled",
+    "links": r"(\d+) links, 0 wrong", "names": r"(\d+) exported", "states": r"(\d+) states of",
+}
+# Evidence, what it shows, the build, the label of the tests or None, the tests' names, the command, the figure.
+ROWS = [
+    ("Tests", "Parts of the program, its commands and answers", "release", None, ".", "./check",
+     "{tests} tests, {cases} test cases, {assertions} assertions"),
+    ("Slow tests", "The same with more data, more digits and other programs", "release", "slow", ".", "./check --all",
+     "{tests} tests more, {cases} test cases, {assertions} assertions"),
+    ("Ledger", "The paper's statements, [proved or supported](proofs.md)", "release", None, "^verify-(?!wrong|schema)", "./verify",
+     "{proved} proved, {supported} supported, {undecided} undecided; {controls} wrong variants refuted"),
+    ("Laws", "Load, equation and mirror of random problems, each method", "release", None, "^laws", "ctest --preset tests -R laws",
+     "{random} random problems"),
+    ("Laws of pairs", "Order in load, tilt and friction", "release", "full", "^contact_laws", "./check --full contact_laws",
+     "{compared} pairs, {broken} against a law"),
+    ("Mutants", "[One wrong line](mutants.csv); its test must fail", "release", "full", "^mutants", "./check --full mutants",
+     "{refuted} of {mutants} refuted"),
+    ("Guard", "[A changed model](guard.csv); its claims must notice", "release", "full", "^guard", "./check --full guard",
+     "{changes} changes, each noticed"),
+    ("Sanitizers", "Addresses and undefined behaviour", "sanitize", None, ".", "./check --sanitize",
+     "{tests} tests, {assertions} assertions, no report"),
+    ("Threads", "Data races", "tsan", "threads", ".", "ctest --preset tsan", "{tests} tests, {assertions} assertions, no report"),
+    ("Fuzzing", "Changed problem files and certificates", "release", "full", "^fuzz", "./check --full fuzz",
+     "{files} files, {faults} faults"),
+    ("Containment", "Balls of random arguments contain the values", "release", "slow", "^enclosure", "./check --all",
+     "{random} random arguments"),
+    ("Error estimates", "Estimated error against the true one", "release", "full", "^error_estimates", "./check --full error_estimates",
+     "{honest} of {estimates} not below the true error"),
+    ("Certificates", "[Proofs](certified.md) of random problems, checked by steadyslide-check", "release", "slow", "^checker_audit",
+     "./check --all", "{certified} accepted, {only} of them as the only solution"),
+    ("Coq", "Decided identities, and wrong variants of them", "release", "slow", "^coq", "./check --all",
+     "{lemmas} lemmas accepted, {variants} variants refused"),
+    ("Peers", "Finite elements, SciPy, mpmath, and other routes", "release", "slow", "^(reference|layer_comp|example_finite)", "./check --all",
+     "{tests} comparisons ([cost](cost.md) has the times)"),
+    ("Explorer", "States of the page against the program", "release", "slow", "^explorer", "./check --all", "{states} states agree to 1e-12"),
+    ("Site", "Its links and its index of names", "release", "slow", "^site", "./check --all", "{links} links, {names} names of C++"),
+]
+
+PAGE = """# Evidence
+
+What was run for version {version}, with the figures of these runs. `./check` and the commands below leave their results in `build/`, and
+`tests/project/quality.py` makes this page of them. The times are for two cores: `./check --all` takes at most 75 minutes, a full set
+(`./check --full NAME`) at most 40. `ctest --preset tests -N -L full` lists the full sets.
+
+| evidence | what it shows | command | figure |
+|---|---|---|---|
+{rows}
+
+{ending}
+"""
+
+
+def tests_of(build):
+    """Returns the names of the build's tests with their labels."""
+    done = subprocess.run(["ctest", "--test-dir", ROOT / "build" / build, "--show-only=json-v1"], capture_output=True, check=False)
+    if done.returncode:
+        return {}
+    properties = {test["name"]: {entry["name"]: entry["value"] for entry in test["properties"]} for test in json.loads(done.stdout)["tests"]}
+    return {name: set(entry.get("LABELS", [])) for name, entry in properties.items()}
+
+
+def results_of(build):
+    """Returns (status, output) of the last run of each test."""
+    results = {}
+    reports = sorted((ROOT / "build" / build / "Testing").glob("*.xml"), key=lambda path: path.stat().st_mtime)
+    for report in reports:
+        for case in xml.etree.ElementTree.parse(report).getroot().iter("testcase"):
+            results[case.get("name")] = (case.get("status"), case.findtext("system-out") or "")
+    return results
+
+
+def selected(tests, label, pattern):
+    long = {"slow", "full"}
+    return [name for name, labels in tests.items() if re.search(pattern, name) and (label in labels if label else not labels & long)]
+
+
+class Figure(dict):
+    """The numbers of a row by name, for str.format_map."""
+
+    def __init__(self, outputs):
+        super().__init__(tests=f"{len(outputs):,}")
+        self.text = "\n".join(outputs)
+
+    def __missing__(self, name):
+        found = re.findall(NUMBERS[name], self.text)
+        if not found:
+            raise ValueError(f"no output has {name}")
+        # An expression without a group counts lines.
+        return f"{sum(map(int, found)) if re.compile(NUMBERS[name]).groups else len(found):,}"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--check", action="store_true", help="look whether each row of this build has tests")
+    parser.add_argument("--output", type=pathlib.Path, default=ROOT / "docs" / "quality.md")
+    options = parser.parse_args()
+    tests = {build: tests_of(build) for build in (["release"] if options.check else ["release", "sanitize", "tsan"])}
+    empty = [row for row in ROWS if row[2] in tests and not selected(tests[row[2]], row[3], row[4])]
+    if empty or options.check:
+        print("\n".join(f"{row[0]}: build/{row[2]} has no such test; {row[5]}" for row in empty) or f"{len(ROWS)} kinds of evidence")
+        return 2 if empty else 0
+    results = {build: results_of(build) for build in tests}
+    missing, skipped, lines = [], set(), []
+    for kind, shows, build, label, pattern, command, figure in ROWS:
+        outputs = []
+        for name in selected(tests[build], label, pattern):
+            status, output = results[build].get(name, ("not run", ""))
+            if status == "notrun":
+                skipped.add(name)
+            elif status != "run":
+                missing.append(f"{build}: {name}: {status}")
+            else:
+                outputs.append(output)
+        try:
+            lines.append(f"| {kind} | {shows} | `{command}` | {figure.format_map(Figure(outputs))} |")
+        except ValueError as error:
+            missing.append(f"{kind}: {error}")
+    if missing:
+        print("\n".join(missing))
+        return 1
+    version = re.search(r"VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
+    ending = f"Skipped, because a program is missing: {', '.join(sorted(skipped))}." if skipped else "No test was skipped."
+    options.output.write_text(PAGE.format(version=version, rows="\n".join(lines), ending=ending), encoding="utf-8")
+    print(f"{len(lines)} rows")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
