@@ -62,7 +62,7 @@ struct Resultants {
 };
 
 /// The supremum of the pressure -t. If it is infinite, x is the place of the strongest blow-up: compared by power, then
-/// by intensity; among equals the leftmost place.
+/// by intensity; among those equal within their errors the leftmost place.
 template <Real R>
 struct LargestPressure {
   Estimate<R> value;

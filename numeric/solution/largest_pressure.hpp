@@ -7,20 +7,27 @@
 namespace steadyslide::numeric {
 
 /// Returns the place where the traction blows up, by a power below 0 or by a logarithm, also if its intensity is
-/// unknown. Absent if it blows up nowhere.
+/// unknown. Absent if it blows up nowhere. Exponents are compared exactly; of intensities that are equal within their
+/// errors the leftmost counts.
 template <Real R>
 std::optional<LargestPressure<R>> infinite_pressure(const std::vector<SolvedSingularPoint<R>>& points) {
-  const auto power = [](const SolvedSingularPoint<R>& point) {
-    return point.exponent ? to_real<R>(*point.exponent) : R(0);
+  const auto order = [](const SolvedSingularPoint<R>& a, const SolvedSingularPoint<R>& b) {
+    const auto power = [](const SolvedSingularPoint<R>& point) { return point.exponent.value_or(Exponent()); };
+    const R difference = to_real<R>(power(a)) - to_real<R>(power(b));
+    using std::abs;
+    if (abs(difference) > 8 * epsilon<R>()) return difference < 0 ? -1 : 1;
+    return (power(a) - power(b)).sign();
   };
   const SolvedSingularPoint<R>* worst = nullptr;
   for (const SolvedSingularPoint<R>& point : points) {
     if (!local_terms(point.kind).is_infinite(point.exponent)) continue;
     // A power has a positive intensity; a logarithm may have none.
     if (!point.exponent && !(point.intensity.value > 0) && !isinf(point.intensity.error)) continue;
-    const bool is_worse = worst == nullptr || power(point) < power(*worst) ||
-                          (power(point) == power(*worst) && point.intensity.value > worst->intensity.value);
-    if (is_worse) worst = &point;
+    const auto is_worse = [&] {
+      if (const int compared = order(point, *worst); compared != 0) return compared < 0;
+      return point.intensity.value - point.intensity.error > worst->intensity.value + worst->intensity.error;
+    };
+    if (worst == nullptr || is_worse()) worst = &point;
   }
   if (worst == nullptr) return std::nullopt;
   return LargestPressure<R>{{infinity<R>(), R(0)}, worst->x, worst->exponent};

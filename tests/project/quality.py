@@ -2,9 +2,9 @@
 """quality.py [--check] [--output FILE]: writes docs/quality.md from the results that ./check left in build/*/Testing/*.xml.
 
 Each row of ROWS names tests and the numbers in their outputs, which are added. Of a test that ran several times the last result
-counts. A test that failed or did not run is named, and nothing is written. --check only looks whether each row has its tests.
+counts. A row with a test that failed or did not run has no figure. --check only looks whether each row has its tests.
 
-Exit code: 0 written, 1 a test failed or did not run, 2 a row without tests or a wrong argument.
+Exit code: 0 written, 1 written, and a row has no figure, 2 a row of this build without tests or a wrong argument.
 """
 
 import argparse
@@ -47,7 +47,7 @@ ROWS = [
     ("Sanitizers", "Addresses and undefined behaviour", "sanitize", None, ".", "./check --sanitize",
      "{tests} tests, {assertions} assertions, no report"),
     ("Threads", "Data races", "tsan", "threads", ".", "ctest --preset tsan", "{tests} tests, {assertions} assertions, no report"),
-    ("Fuzzing", "Changed problem files and certificates", "release", "full", "^fuzz", "./check --full fuzz",
+    ("Fuzzing", "Changed problem files and certificates", "release", "full", "^fuzz_", "./check --full fuzz",
      "{files} files, {faults} faults"),
     ("Containment", "Balls of random arguments contain the values", "release", "slow", "^enclosure", "./check --all",
      "{random} random arguments"),
@@ -111,7 +111,7 @@ class Figure(dict):
     def __missing__(self, name):
         found = re.findall(NUMBERS[name], self.text)
         if not found:
-            raise ValueError(f"no output has {name}")
+            raise ValueError(f"no output has the number of {name}")
         # An expression without a group counts lines.
         return f"{sum(map(int, found)) if re.compile(NUMBERS[name]).groups else len(found):,}"
 
@@ -122,34 +122,30 @@ def main():
     parser.add_argument("--output", type=pathlib.Path, default=ROOT / "docs" / "quality.md")
     options = parser.parse_args()
     tests = {build: tests_of(build) for build in (["release"] if options.check else ["release", "sanitize", "tsan"])}
-    empty = [row for row in ROWS if row[2] in tests and not selected(tests[row[2]], row[3], row[4])]
+    empty = [row[0] for row in ROWS if row[2] == "release" and not selected(tests["release"], row[3], row[4])]
     if empty or options.check:
-        print("\n".join(f"{row[0]}: build/{row[2]} has no such test; {row[5]}" for row in empty) or f"{len(ROWS)} kinds of evidence")
+        print("\n".join(f"{kind}: no test" for kind in empty) or f"{len(ROWS)} kinds of evidence")
         return 2 if empty else 0
     results = {build: results_of(build) for build in tests}
-    missing, skipped, lines = [], set(), []
+    wrong, skipped, lines = [], set(), []
     for kind, shows, build, label, pattern, command, figure in ROWS:
-        outputs = []
-        for name in selected(tests[build], label, pattern):
-            status, output = results[build].get(name, ("not run", ""))
-            if status == "notrun":
-                skipped.add(name)
-            elif status != "run":
-                missing.append(f"{build}: {name}: {status}")
-            else:
-                outputs.append(output)
+        names = selected(tests[build], label, pattern)
+        found = {name: results[build].get(name, ("not run", "")) for name in names}
+        skipped.update(name for name, (status, _) in found.items() if status == "notrun")
+        without = [f"{kind}: {name}: {status}" for name, (status, _) in found.items() if status not in ("run", "notrun")]
         try:
-            lines.append(f"| {kind} | {shows} | `{command}` | {figure.format_map(Figure(outputs))} |")
+            if without or not names:
+                raise ValueError("not run" if len(without) == len(names) else f"{len(without)} of {len(names)} tests failed or did not run")
+            figures = figure.format_map(Figure([output for status, output in found.values() if status == "run"]))
         except ValueError as error:
-            missing.append(f"{kind}: {error}")
-    if missing:
-        print("\n".join(missing))
-        return 1
-    version = re.search(r"VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
+            figures = str(error)
+            wrong += without or [f"{kind}: {error}"]
+        lines.append(f"| {kind} | {shows} | `{command}` | {figures} |")
+    version = re.search(r"project\(steadyslide VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
     ending = f"Skipped, because a program is missing: {', '.join(sorted(skipped))}." if skipped else "No test was skipped."
     options.output.write_text(PAGE.format(version=version, rows="\n".join(lines), ending=ending), encoding="utf-8")
-    print(f"{len(lines)} rows")
-    return 0
+    print("\n".join(wrong) or f"{len(lines)} rows")
+    return 1 if wrong else 0
 
 
 if __name__ == "__main__":
