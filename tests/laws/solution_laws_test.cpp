@@ -108,7 +108,10 @@ bool grows_with_the_load(const Case<R>& c) {
 
 template <Real R>
 bool has_few_components(const Case<R>& c) {
-  return too_many_components(c.problem, c.solution.contact().size()).empty();
+  // On cells a component narrower than its error may be none: a cell at an edge with a power near -1 has most of its load.
+  const auto is_certain = [](const ContactComponent<R>& zone) { return zone.width.value > zone.width.error; };
+  const auto components = std::ranges::count_if(c.solution.contact(), is_certain);
+  return too_many_components(c.problem, static_cast<std::size_t>(components)).empty();
 }
 
 /// If the right side of the indenter is raised, the centre of pressure moves to the left.
@@ -185,9 +188,7 @@ void obeys_the_laws(const Method<R>& method) {
     const ContactProblem problem = *method.problems;
     const Attempt<R> attempt = method.solve(problem);
     ++all;
-    // As in library/solve/failed_condition.hpp: a solution with errors as large as the load has not converged.
-    if (!attempt.solution || !attempt.solution->failed_condition().empty() ||
-        !(attempt.solution->estimated_error().resultants <= 1)) {
+    if (!attempt.solution || !attempt.solution->failed_condition().empty()) {
       ++unsolved;
       return;
     }
