@@ -33,7 +33,8 @@ std::string receive(int rank) {
   return row;
 }
 
-bool all(bool fine) {
+/// True if the argument is true in all processes; sets `sweeping` to this.
+bool true_in_all(bool fine) {
   int mine = fine ? 1 : 0;
   int least = 0;
   MPI_Allreduce(&mine, &least, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
@@ -41,7 +42,7 @@ bool all(bool fine) {
   return sweeping;
 }
 
-std::uint64_t of_first(std::uint64_t number) {
+std::uint64_t from_first(std::uint64_t number) {
   MPI_Bcast(&number, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
   return number;
 }
@@ -61,7 +62,7 @@ ExitCode run(const Given& given) {
   if (options.hdf5) options.wanted.written_as = hdf5_of;
   // The processes on a machine share its cores.
   if (!given.has("--jobs")) options.wanted.jobs = std::max(1, options.wanted.jobs / processes_here());
-  Processes processes{rank_of_process, 1, send, receive, all, of_first};
+  Processes processes{rank_of_process, 1, send, receive, true_in_all, from_first};
   MPI_Comm_size(MPI_COMM_WORLD, &processes.count);
   run_sweep(options.wanted, processes);
   return ExitCode::done;

@@ -23,10 +23,10 @@ std::string roff(std::string text) {
   return text;
 }
 
-/// Lines without any formatting, tables among them.
+/// Returns lines, tables among them, that man shows as they are.
 std::string verbatim(std::string_view text) {
   const std::size_t end = text.find_last_not_of('\n') + 1;
-  return text.substr(0, end).empty() ? "" : ".nf\n" + roff(std::string(text.substr(0, end))) + "\n.fi\n";
+  return end == 0 ? "" : ".nf\n" + roff(std::string(text.substr(0, end))) + "\n.fi\n";
 }
 
 std::string entry(const Option& option) {

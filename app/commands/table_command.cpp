@@ -15,6 +15,7 @@ namespace steadyslide::app {
 namespace {
 
 constexpr std::size_t max_rows = 1000000;
+
 /// The friction at one end of the contact, as cells of a row.
 struct EndCells {
   Rational s;

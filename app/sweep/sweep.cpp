@@ -21,7 +21,7 @@ void in_all(const Processes& processes, Act act) {
   } catch (...) {
     failure = std::current_exception();
   }
-  const bool all_fine = processes.all ? processes.all(!failure) : !failure;
+  const bool all_fine = processes.true_in_all ? processes.true_in_all(!failure) : !failure;
   if (failure) std::rethrow_exception(failure);
   if (!all_fine) throw Failure(ExitCode::failed, "another process of the sweep has failed");
 }
@@ -36,7 +36,7 @@ void run_sweep(const SweepWanted& wanted, const Processes& processes) {
     if (processes.rank == 0) file.emplace(wanted, *table);
   });
   std::size_t first = file ? file->rows() : 0;
-  if (processes.of_first) first = processes.of_first(first);
+  if (processes.from_first) first = processes.from_first(first);
   const auto step = static_cast<std::size_t>(processes.count);
   const TaskRange tasks{first + static_cast<std::size_t>(processes.rank), table->size(), step};
   const auto make = [&](std::size_t n) { return table->row(n); };

@@ -15,10 +15,10 @@ namespace steadyslide::app {
 struct Processes {
   int rank = 0;
   int count = 1;
-  std::function<void(const std::string& row)> send{};      ///< sends to process 0
-  std::function<std::string(int rank)> receive{};          ///< receives the next row of a process
-  std::function<bool(bool)> all{};                         ///< true if the argument is true in all processes
-  std::function<std::uint64_t(std::uint64_t)> of_first{};  ///< returns the argument of process 0
+  std::function<void(const std::string& row)> send{};        ///< sends to process 0
+  std::function<std::string(int rank)> receive{};            ///< receives the next row of a process
+  std::function<bool(bool)> true_in_all{};                   ///< true if the argument is true in all processes
+  std::function<std::uint64_t(std::uint64_t)> from_first{};  ///< returns the argument of process 0
 };
 
 struct SweepWanted {

@@ -29,7 +29,7 @@ bool same_end(const Point& a, const Point& b) {
 
 }  // namespace
 
-ContactBox seen_from_nearer(const ReducedProblem& problem, const ContactBox& box) {
+ContactBox with_nearest_anchors(const ReducedProblem& problem, const ContactBox& box) {
   ContactBox result = box;
   const std::vector<std::size_t> movable = box.topology.movable();
   for (std::size_t i = 0; i < movable.size(); ++i) {
@@ -40,8 +40,8 @@ ContactBox seen_from_nearer(const ReducedProblem& problem, const ContactBox& box
   return result;
 }
 
-std::optional<ContactBox> seen_from(const ReducedProblem& problem, const ContactBox& box,
-                                    const ContactTopology& other) {
+std::optional<ContactBox> with_anchors_of(const ReducedProblem& problem, const ContactBox& box,
+                                          const ContactTopology& other) {
   if (box.topology.points.size() != other.points.size()) return std::nullopt;
   ContactBox result = box;
   std::size_t i = 0;

@@ -9,9 +9,10 @@
 namespace steadyslide::enclosure {
 
 /// Returns the box with each free end expressed by the nearer of the two anchors around it.
-ContactBox seen_from_nearer(const ReducedProblem& problem, const ContactBox& box);
+ContactBox with_nearest_anchors(const ReducedProblem& problem, const ContactBox& box);
 
 /// Returns the box with the free ends expressed by the anchors of `other`; absent if `other` is another contact set.
-std::optional<ContactBox> seen_from(const ReducedProblem& problem, const ContactBox& box, const ContactTopology& other);
+std::optional<ContactBox> with_anchors_of(const ReducedProblem& problem, const ContactBox& box,
+                                          const ContactTopology& other);
 
 }  // namespace steadyslide::enclosure

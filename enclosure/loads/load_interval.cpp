@@ -64,11 +64,11 @@ LoadInterval prove_loads(const ContactProblem& problem, const ApproximateContact
 bool are_joined(const LoadInterval& left, const LoadInterval& right, JacobiRules& rules, WorkBudget& work) {
   const ReducedProblem& problem = left.proof.problem;
   const auto holds = [&](const LoadInterval& interval, const ContactBox& zero) {
-    const std::optional<ContactBox> seen = seen_from(problem, zero, interval.box.topology);
+    const std::optional<ContactBox> seen = with_anchors_of(problem, zero, interval.box.topology);
     return seen && contains(interval.box, *seen);
   };
   if (holds(right, left.at_to) || holds(left, right.at_from)) return true;
-  if (!seen_from(problem, left.at_to, right.box.topology)) return false;
+  if (!with_anchors_of(problem, left.at_to, right.box.topology)) return false;
   const KrawczykResult zero = enclose_zero(problem.for_loads(left.to, left.to), left.at_to, rules, work);
   return zero.proved && holds(left, zero.box) && holds(right, zero.box);
 }

@@ -23,7 +23,7 @@ struct SolvedLoad {
 ContactBox predicted(const ReducedProblem& problem, const std::optional<SolvedLoad>& before, const SolvedLoad& here,
                      const Rational& load) {
   if (!before) return here.zero;
-  const std::optional<ContactBox> earlier = seen_from(problem, before->zero, here.zero.topology);
+  const std::optional<ContactBox> earlier = with_anchors_of(problem, before->zero, here.zero.topology);
   if (!earlier) return here.zero;
   const Ball ratio(Rational((load - here.load) / (here.load - before->load)), load_interval_bits);
   std::vector<Ball> values = here.zero.unknowns();
@@ -197,7 +197,7 @@ class Follower {
 
   /// Makes steps towards `limit`, as far as intervals are proved.
   March march(SolvedLoad here, const Rational& limit, WorkBudget work) {
-    here.zero = seen_from_nearer(problem_, here.zero);
+    here.zero = with_nearest_anchors(problem_, here.zero);
     Found found;
     std::optional<SolvedLoad> before;
     Rational step = (limit - here.load) / 4;
@@ -223,7 +223,7 @@ class Follower {
       }
       before = std::move(next->first);
       here = std::move(next->second);
-      here.zero = seen_from_nearer(problem_, here.zero);
+      here.zero = with_nearest_anchors(problem_, here.zero);
       if (grown) patience = 2;
       grown = ++proved_in_turn >= patience;
       if (!grown) continue;
@@ -264,7 +264,7 @@ class Follower {
     if (inside) {
       const ContactBox& before = found_.proved[i - 1].interval->at_to;
       const ContactBox& after = found_.proved[i].interval->at_from;
-      const bool same = seen_from(problem_, before, after.topology).has_value();
+      const bool same = with_anchors_of(problem_, before, after.topology).has_value();
       if (low < high && !same) return {Stretch::event, low, high, {}, contact_change(problem_, before, after)};
       const char* const no_branch = same ? "whether the solutions on both sides are one branch is not proved"
                                          : "two solutions are proved at this load";

@@ -63,9 +63,9 @@ class PanelTree {
   /// Returns the panels that no far cell contains, without the panel itself.
   const std::vector<Near>& near_to(std::size_t panel) const { return near_[panel]; }
 
-  /// The same for one place. takes(cell, side, distance of its nearest source) returns true if it handles the cell's
-  /// sources together. For panels in no such cell it calls near(panel, distance of its nearer end, side). Panel k
-  /// itself is left out.
+  /// The same for one place, which has these distances from the ends of panel k. takes(cell, side, distance of its
+  /// nearest source) returns true if it handles the cell's sources together. For panels in no such cell it calls
+  /// near(panel, distance of its nearer end, side). Panel k itself is left out.
   template <class Takes, class NearVisit>
   void around(std::size_t k, double from_left, double from_right, const Takes& takes, const NearVisit& near) const;
   /// True if the sources of a cell may be summed together for a place at this distance from the nearest one.

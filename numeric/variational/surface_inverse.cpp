@@ -15,7 +15,7 @@ constexpr std::size_t most_kinds = 4;
 /// With a diagonal, a kind in place of another one costs more products than its own transform.
 constexpr std::size_t most_kinds_with_diagonal = 64;
 
-/// Returns one of a few fast lengths, four in an octave, so that plans and symbols are shared.
+/// Returns a fast length of at least 9/8 of the cells. There are three in an octave, so plans and symbols are shared.
 std::size_t circle_length(std::size_t cells) {
   const std::size_t least = std::max<std::size_t>(cells + cells / 8, 16);
   const std::size_t octave = std::bit_floor(least);
@@ -27,7 +27,7 @@ std::size_t circle_length(std::size_t cells) {
 
 constexpr Eigen::Index points = ZoneCoupling::points;
 
-/// Returns Chebyshev's points of [-1, 1].
+/// Returns Chebyshev's point i of [-1, 1].
 double node(Eigen::Index i) {
   return std::cos((2 * static_cast<double>(i) + 1) * std::numbers::pi / (2 * static_cast<double>(points)));
 }
@@ -89,7 +89,7 @@ SurfaceInverse::SurfaceInverse(const GalerkinOperator& influence, double length)
     const CellFriction& friction = influence.friction();
     cells.push_back({rounded(friction.whole[i] / length), friction.is_at_end(i), rounded(influence.diagonal(i))});
   }
-  values_ = representatives(cells);
+  kinds_ = representatives(cells);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (i > 0 && cells[i] == cells[i - 1]) {
       kind_of_[i] = kind_of_[i - 1];
@@ -99,9 +99,9 @@ SurfaceInverse::SurfaceInverse(const GalerkinOperator& influence, double length)
       return std::tuple(std::abs(std::atan(kind.s) - std::atan(cells[i].s)), kind.at_end != cells[i].at_end,
                         std::abs(kind.diagonal - cells[i].diagonal));
     };
-    const auto nearest = std::min_element(values_.begin(), values_.end(),
+    const auto nearest = std::min_element(kinds_.begin(), kinds_.end(),
                                           [&](const Kind& a, const Kind& b) { return distance(a) < distance(b); });
-    kind_of_[i] = static_cast<unsigned char>(nearest - values_.begin());
+    kind_of_[i] = static_cast<unsigned char>(nearest - kinds_.begin());
   }
 }
 
@@ -134,7 +134,7 @@ void SurfaceInverse::restrict_to(std::vector<CellRange> zones) {
         zone.kinds.push_back(kind_of_[i]);
     }
     for (const unsigned char kind : zone.kinds) {
-      if (!circle.reciprocals.contains(kind)) circle.reciprocals[kind] = reciprocal(values_[kind], circle.fourier);
+      if (!circle.reciprocals.contains(kind)) circle.reciprocals[kind] = reciprocal(kinds_[kind], circle.fourier);
     }
   }
 }

@@ -1,8 +1,9 @@
 #pragma once
 // An approximate inverse of the operator B on cells of a uniform mesh, by Fourier transforms. On an infinite line with
 // one friction value, B is a convolution and the reciprocal of its symbol is exact, also with a constant diagonal. Here
-// each cell uses the reciprocal for its own s and diagonal. The kernel of the inverse decreases like the square of the distance. So the line may be closed to a
-// circle soon behind the cells, and separate zones are inverted separately, by transforms not longer than the zone.
+// each cell uses the reciprocal for its own s and diagonal. The kernel of the inverse decreases like the inverse square
+// of the distance. So the line may be closed to a circle soon behind the cells, and separate zones are inverted
+// separately, by transforms not much longer than the zone.
 
 #include <Eigen/Core>
 #include <compare>
@@ -58,8 +59,8 @@ class SurfaceInverse {
 
   const GalerkinOperator& influence_;
   double length_;
-  std::vector<Kind> values_;            ///< the kinds, by number
-  std::vector<unsigned char> kind_of_;  ///< for each cell: cells with about the same s have the same kind
+  std::vector<Kind> kinds_;
+  std::vector<unsigned char> kind_of_;  ///< for each cell, the index of the kind that is nearest to it
   std::map<std::size_t, Circle> circles_;
   std::vector<Zone> zones_;
   std::vector<double> pressures_;  ///< work space
@@ -108,7 +109,7 @@ class ZoneCoupling {
   double h_;
   double sign_;
   std::vector<Zone> zones_;
-  Matrix interpolation_;  ///< T; the columns of all zones share the same columns
+  Matrix interpolation_;  ///< T; all zones share the columns
   Matrix responses_;      ///< Phi, likewise
   Matrix k_;
   DenseLu lu_;  ///< of 1 + K S Phi

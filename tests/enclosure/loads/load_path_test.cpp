@@ -62,7 +62,8 @@ std::vector<LoadStretch> events(std::vector<LoadStretch> stretches) {
 bool holds_solution(const LoadInterval& interval, const ApproximateContact& contact) {
   const ReducedProblem& problem = interval.proof.problem;
   const ContactStart start(problem, contact);
-  const std::optional<ContactBox> seen = seen_from(problem, start.box(interval.proof.bits), interval.box.topology);
+  const std::optional<ContactBox> seen =
+      with_anchors_of(problem, start.box(interval.proof.bits), interval.box.topology);
   if (!seen) return false;
   for (std::size_t i = 0; i < seen->log_offsets.size(); ++i) {
     if (!interval.proof.box.log_offsets[i].contains(seen->log_offsets[i])) return false;
