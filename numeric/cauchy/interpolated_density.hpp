@@ -10,8 +10,8 @@
 #include <cmath>
 #include <memory>
 
-#include "numeric/cauchy/density.hpp"
 #include "numeric/number/once.hpp"
+#include "numeric/quadrature/density.hpp"
 
 namespace steadyslide::numeric {
 

@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "numeric/cauchy/density.hpp"
 #include "numeric/cauchy/fundamental_solution.hpp"
+#include "numeric/quadrature/density.hpp"
 
 namespace steadyslide::numeric {
 

@@ -6,8 +6,8 @@
 #include <functional>
 #include <vector>
 
-#include "numeric/cauchy/density.hpp"
 #include "numeric/number/estimate.hpp"
+#include "numeric/quadrature/density.hpp"
 #include "numeric/quadrature/trapezoidal.hpp"
 
 namespace steadyslide::numeric {

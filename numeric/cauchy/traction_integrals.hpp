@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "numeric/cauchy/density.hpp"
+#include "numeric/quadrature/density.hpp"
 #include "numeric/solution/contact_solution.hpp"
 
 namespace steadyslide::numeric {

@@ -22,9 +22,9 @@
 
 #include <vector>
 
-#include "numeric/cauchy/density.hpp"
 #include "numeric/cauchy/fundamental_solution.hpp"
 #include "numeric/periodic/periodic_fundamental_solution.hpp"
+#include "numeric/quadrature/density.hpp"
 
 namespace steadyslide::numeric {
 

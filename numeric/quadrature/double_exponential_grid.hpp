@@ -21,8 +21,8 @@
 // lies beyond the end of the other. The parts cut off at the ends are below e^-28 of the accuracy and 10^-4 of the last
 // returned digit. (Heuristic: it assumes branch points on the real axis and no other singular points.)
 
-#include "numeric/cauchy/density.hpp"
 #include "numeric/number/estimate.hpp"
+#include "numeric/quadrature/density.hpp"
 
 namespace steadyslide::numeric::double_exponential {
 

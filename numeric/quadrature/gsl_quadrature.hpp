@@ -3,8 +3,8 @@
 // values (QAWC). One rule cannot have both weights. So a principal value is computed by QAWC around the point and by
 // QAWS on the rest. `convergence` is GSL's own status. GSL's error estimate can be smaller than the true error.
 
-#include "numeric/cauchy/density.hpp"
 #include "numeric/number/estimate.hpp"
+#include "numeric/quadrature/density.hpp"
 
 namespace steadyslide::numeric::gsl {
 

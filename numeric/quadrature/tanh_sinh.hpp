@@ -6,8 +6,8 @@
 // the type. Principal values use t(x') - t(x) near x, and the corresponding logarithm.
 
 #include "model/direction.hpp"
-#include "numeric/cauchy/density.hpp"
 #include "numeric/number/estimate.hpp"
+#include "numeric/quadrature/density.hpp"
 
 namespace steadyslide::numeric::tanh_sinh {
 

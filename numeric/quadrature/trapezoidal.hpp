@@ -12,8 +12,8 @@
 #include <memory>
 
 #include "model/direction.hpp"
-#include "numeric/cauchy/density.hpp"
 #include "numeric/number/estimate.hpp"
+#include "numeric/quadrature/density.hpp"
 
 namespace steadyslide::numeric::trapezoidal {
 

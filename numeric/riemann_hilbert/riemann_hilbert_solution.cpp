@@ -4,10 +4,10 @@
 #include <cmath>
 #include <map>
 
-#include "numeric/cauchy/traction_density.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "numeric/riemann_hilbert/local_signs.hpp"
+#include "numeric/riemann_hilbert/traction_density.hpp"
 #include "numeric/solution/largest_pressure.hpp"
 
 namespace steadyslide::numeric {

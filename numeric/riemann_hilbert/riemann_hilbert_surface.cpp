@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "numeric/cauchy/panel_finder.hpp"
-#include "numeric/cauchy/traction_density.hpp"
 #include "numeric/number/mapped.hpp"
 #include "numeric/number/polynomial.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
+#include "numeric/riemann_hilbert/traction_density.hpp"
 
 namespace steadyslide::numeric {
 

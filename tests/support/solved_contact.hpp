@@ -2,9 +2,9 @@
 // Solves contact problems in reduced data, and checks the properties of every solution.
 
 #include "numeric/cauchy/residuals.hpp"
-#include "numeric/cauchy/traction_density.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
+#include "numeric/riemann_hilbert/traction_density.hpp"
 #include "support/numeric_test.hpp"
 #include "support/problems.hpp"
 

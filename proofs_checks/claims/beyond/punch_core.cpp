@@ -1,9 +1,9 @@
 // Finds where the load of a flat punch acts when one of its edges lifts. The traction then has a free end there, and is
 // integrated.
 
-#include "numeric/cauchy/traction_density.hpp"
 #include "numeric/flat_punch/flat_punch.hpp"
 #include "numeric/quadrature/trapezoidal.hpp"
+#include "numeric/riemann_hilbert/traction_density.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/claim_builder.hpp"
 

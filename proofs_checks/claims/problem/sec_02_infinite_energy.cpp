@@ -2,9 +2,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "numeric/cauchy/traction_density.hpp"
 #include "numeric/interior/interior_stress.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
+#include "numeric/riemann_hilbert/traction_density.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/instruments/tractions/parabola_cases.hpp"

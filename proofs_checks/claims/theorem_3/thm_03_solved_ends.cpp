@@ -1,6 +1,6 @@
 // Compares the slope of the surface beyond the contact ends of solved problems with the traction inside.
 
-#include "numeric/cauchy/traction_density.hpp"
+#include "numeric/riemann_hilbert/traction_density.hpp"
 #include "proofs_checks/instruments/solutions/flanks.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"

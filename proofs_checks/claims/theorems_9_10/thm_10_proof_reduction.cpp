@@ -1,7 +1,7 @@
 // Checks how an inner contact end becomes the left edge of ]c, 1[ in the proof of theorem 10. [Bal16, theorem 10]
 
 #include "numeric/cauchy/sliding_operator.hpp"
-#include "numeric/cauchy/traction_density.hpp"
+#include "numeric/riemann_hilbert/traction_density.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/kit/claim_builder.hpp"

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "numeric/cauchy/traction_density.hpp"
+#include "numeric/riemann_hilbert/traction_density.hpp"
 #include "numeric/variational/lemke.hpp"
 #include "numeric/variational/nested_solve.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"

@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "numeric/cauchy/residuals.hpp"
-#include "numeric/cauchy/traction_density.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
+#include "numeric/riemann_hilbert/traction_density.hpp"
 #include "proofs_checks/instruments/tractions/surface.hpp"
 #include "proofs_checks/kit/cases.hpp"
 

@@ -3,7 +3,7 @@
 // two ends and a smooth factor. At a wedge, if the power vanishes, the constant or the logarithm is larger; then the
 // density has power 0 there.
 
-#include "numeric/cauchy/density.hpp"
+#include "numeric/quadrature/density.hpp"
 #include "numeric/riemann_hilbert/traction_representation.hpp"
 
 namespace steadyslide::numeric {

@@ -2,13 +2,9 @@
 
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
 #include <filesystem>
-#include <thread>
 
 #include "app/commands/command_line.hpp"
-#include "app/embedded.hpp"
 #include "app/sweep/sweep_options.hpp"
 
 namespace steadyslide::app {

@@ -1,4 +1,4 @@
-#include "numeric/cauchy/traction_density.hpp"
+#include "numeric/riemann_hilbert/traction_density.hpp"
 
 #include <cmath>
 
