@@ -286,7 +286,7 @@ TEST_CASE("the gap of a notch closes at the load that is known") {
   CHECK(is_narrow(undecided.back(), Rational(1, 1000000000000)));
 }
 
-TEST_CASE("which gaps can but close") {
+TEST_CASE("gaps that can only close") {
   const auto closes = [](const ContactProblem& problem, const ApproximateContact& contact) {
     const ReducedProblem reduced(problem, frame_of(problem, contact));
     const ContactStart start(reduced, contact);
