@@ -9,6 +9,7 @@
 namespace steadyslide::app {
 
 using library::version;
+using library::version_date;
 
 /// Returns the commit that a program with the ledger was built from; empty if it is not known.
 std::string commit();

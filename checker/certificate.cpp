@@ -169,7 +169,7 @@ Certificate Certificate::read(const Reader& at) {
     read_boxes(at["boxes"], problem, c);
   }
   const Reader claims = at["claims"];
-  // Certificates of earlier versions also say if theorem 1 of [Bal16] applies.
+  // A certificate may also say if theorem 1 of [Bal16] applies.
   claims.check_keys({"exists"}, {"unique_by_theorem_1"});
   if (!claims["exists"].boolean())
     claims["exists"].fail("nothing claimed", "a certificate claims that a solution exists");

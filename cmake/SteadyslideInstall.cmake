@@ -17,14 +17,14 @@ set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 function(steadyslide_install_manual)
   set(folder "${PROJECT_BINARY_DIR}/manual")
   find_program(STEADYSLIDE_GZIP gzip REQUIRED)
-  file(MAKE_DIRECTORY "${folder}")
+  configure_file("${PROJECT_SOURCE_DIR}/checker/steadyslide-check.1" "${folder}/steadyslide-check.1.in" @ONLY)
   add_custom_command(OUTPUT "${folder}/steadyslide.1.gz" "${folder}/steadyslide-check.1.gz" "${folder}/steadyslide"
     COMMAND steadyslide --generate man > "${folder}/steadyslide.1"
     COMMAND steadyslide --generate bash > "${folder}/steadyslide"
-    COMMAND ${CMAKE_COMMAND} -E copy "${PROJECT_SOURCE_DIR}/checker/steadyslide-check.1" "${folder}"
+    COMMAND ${CMAKE_COMMAND} -E copy steadyslide-check.1.in steadyslide-check.1
     COMMAND ${STEADYSLIDE_GZIP} -9nf steadyslide.1 steadyslide-check.1
     WORKING_DIRECTORY "${folder}"
-    DEPENDS steadyslide "${PROJECT_SOURCE_DIR}/checker/steadyslide-check.1" VERBATIM)
+    DEPENDS steadyslide "${folder}/steadyslide-check.1.in" VERBATIM)
   add_custom_target(manual ALL DEPENDS "${folder}/steadyslide.1.gz")
   install(FILES "${folder}/steadyslide.1.gz" "${folder}/steadyslide-check.1.gz"
           DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT program)
@@ -90,9 +90,8 @@ install(EXPORT steadyslideTargets NAMESPACE steadyslide:: DESTINATION "${package
 configure_package_config_file(
   "${CMAKE_CURRENT_LIST_DIR}/steadyslideConfig.cmake.in" "${CMAKE_CURRENT_BINARY_DIR}/steadyslideConfig.cmake"
   INSTALL_DESTINATION "${package_dir}")
-# Below 1.0, a minor version may break compatibility.
 write_basic_package_version_file("${CMAKE_CURRENT_BINARY_DIR}/steadyslideConfigVersion.cmake"
-                                 COMPATIBILITY SameMinorVersion)
+                                 COMPATIBILITY SameMajorVersion)
 install(FILES
           "${CMAKE_CURRENT_BINARY_DIR}/steadyslideConfig.cmake"
           "${CMAKE_CURRENT_BINARY_DIR}/steadyslideConfigVersion.cmake"

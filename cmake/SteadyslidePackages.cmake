@@ -2,7 +2,7 @@
 # belongs to a component (SteadyslideInstall.cmake), and each component is a package:
 #
 #   program      steadyslide           the programs, their manual pages, completions, examples
-#   library      libsteadyslide<soname>  the shared library
+#   library      libsteadyslide<major>  the shared library
 #   development  libsteadyslide-dev    headers, archives, CMake's and pkg-config's files
 #   python       python3-steadyslide   the module
 #   sweep        steadyslide-sweep     sweeps in many processes, and as HDF5
@@ -20,7 +20,7 @@ set(program_package steadyslide)
 set(development_package libsteadyslide-dev)
 if(TARGET steadyslide_shared)
   list(APPEND components library)
-  set(library_package libsteadyslide${STEADYSLIDE_SOVERSION})
+  set(library_package libsteadyslide${PROJECT_VERSION_MAJOR})
 endif()
 if(TARGET steadyslide_python)
   list(APPEND components python)
@@ -31,8 +31,9 @@ if(TARGET steadyslide-sweep)
   set(sweep_package steadyslide-sweep)
 endif()
 
-# Files of every package: copyright and changelog. The date of the changelog is that of CHANGELOG.md.
-file(TIMESTAMP "${PROJECT_SOURCE_DIR}/CHANGELOG.md" changed "%a, %d %b %Y %H:%M:%S +0000" UTC)
+# Files of every package: copyright and changelog.
+execute_process(COMMAND date --utc --rfc-email "--date=${STEADYSLIDE_DATE}" OUTPUT_VARIABLE changed
+                OUTPUT_STRIP_TRAILING_WHITESPACE)
 set(CPACK_PACKAGE_CONTACT "The steadyslide contributors <contributors@steadyslide.invalid>")
 file(WRITE "${PROJECT_BINARY_DIR}/debian/changelog" "steadyslide (${PROJECT_VERSION}) unstable; urgency=medium
 

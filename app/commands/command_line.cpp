@@ -78,18 +78,20 @@ ExitCode run_command(const Program& program, int argc, const char* const* argv) 
   CLI::App app(program.description, program.name);
   app.set_help_flag("-h,--help", "Print this help and exit");
   std::string generate;
-  app.add_option("--generate", generate, "Print the manual page (man) or completions (bash), and exit")
-      ->type_name("KIND");
   app.set_version_flag("--version", fmt::format("steadyslide {}", version));
   app.require_subcommand(0, 1);
   app.footer(last_line_open(embedded::help_program));
   app.get_formatter()->column_width(28);
   const bool only = program.commands.size() == 1;
+  if (!only) {
+    app.add_option("--generate", generate, "Print the manual page (man) or completions (bash), and exit")
+        ->type_name("KIND");
+  }
   for (const Command& command : program.commands) add(app, program, command, only);
   try {
     app.parse(argc, argv);
-    if (app.count("--generate") > 0) return print(generated(program, generate));
     if (only) return program.commands.front().run(Given(app));
+    if (app.count("--generate") > 0) return print(generated(program, generate));
     for (const Command& command : program.commands) {
       if (app.got_subcommand(command.name)) return command.run(Given(*app.get_subcommand(command.name)));
     }

@@ -57,7 +57,8 @@ std::string synopsis(const Program& program, const Command& command) {
 
 std::string manual_page(const Program& program) {
   const std::string upper = boost::to_upper_copy(program.name);
-  std::string page = fmt::format(".TH {} 1 \"\" \"steadyslide {}\" \"User Commands\"\n", roff(upper), version);
+  std::string page =
+      fmt::format(".TH {} 1 {} \"steadyslide {}\" \"User Commands\"\n", roff(upper), version_date, version);
   page += fmt::format(".SH NAME\n{} \\- steady sliding contact with a discontinuous friction coefficient\n",
                       roff(program.name));
   page += ".SH SYNOPSIS\n";

@@ -36,7 +36,7 @@
 
 namespace steadyslide {
 
-/// The library's version, "0.1.0".
+/// The library's version, "x.y.z".
 STEADYSLIDE_API const char* version();
 
 /// A number as input, exactly as it is written: "0.1", "1/3", "2.5e-3". A double becomes the shortest decimal that

@@ -13,7 +13,7 @@ constexpr slong zone_bits = 256, integral_bits = 160;
 
 Periodic periodic_example(bool flat) {
   return Periodic::of_certificate(Reader::of_json(
-      std::string(R"({"certificate": 1, "kind": "periodic", "generator": "steadyslide 0.1.0", "problem": {
+      std::string(R"({"certificate": 1, "kind": "periodic", "generator": "by-hand 1.0.0", "problem": {
 "load": "1", "load_at": null, "sliding": "+x", "gamma": "7/10", "compliance": "1", "period": "3/2",
 "friction": {"values": ["0.4", "1.2", "0.2", "0.9"], "jumps": ["-0.1", "0.05", "0.2"]},
 "indenter": {"left": "-0.7", "pieces": [{"to": "0.7", "profile": []}]},)") +
