@@ -36,7 +36,7 @@ std::set<std::string> offered(const TemporaryFolder& folder, const std::string& 
 
 TEST_CASE("the manual page has every command, its options and the text below them") {
   const std::string page = out_of(run_alone({"--generate", "man"}));
-  CHECK(page.starts_with(".TH STEADYSLIDE 1 \"\" \"steadyslide " STEADYSLIDE_VERSION "\""));
+  CHECK(std::regex_search(page, std::regex("^\\.TH STEADYSLIDE 1 [-0-9]{10} \"steadyslide " STEADYSLIDE_VERSION "\"")));
   std::string plain = std::regex_replace(page, std::regex("\\\\f[BIR]"), "");
   for (const auto& [sign, meant] : {std::pair("\\\\-", "-"), {"\\\\&", ""}, {"\\\\e", "\\"}}) {
     plain = std::regex_replace(plain, std::regex(sign), meant);
