@@ -39,7 +39,7 @@ Command sweep_command(ExitCode (*run)(const Given& given)) {
           {{"SWEEP", "", "Sweep file, or -", Option::Kind::required},
            {"-j,--jobs", "N", "So many problems at a time, 1 to 1024; default: one for each core"},
            {"--resume", "", "Go on where an interrupted sweep has stopped: with FILE.part", Option::Kind::flag},
-           {"--format", "FORMAT", "csv or hdf5; default: by the name of FILE"},
+           {"--format", "FORMAT", "csv or hdf5; default: by the name of FILE", Option::Kind::text, "csv hdf5"},
            {"-o,--output", "FILE", "Write to FILE, whole or not at all; default: standard output"}},
           run};
 }
