@@ -3,13 +3,15 @@
 import itertools
 import os
 import re
-from collections.abc import Iterable, Mapping
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Iterable, Mapping, Sequence
+from concurrent.futures import Executor, ThreadPoolExecutor
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 
 from ._core import InvalidData
+from ._problem import Problem
 
 
 def result(solution, column):
@@ -85,7 +87,43 @@ def changes_of(path, values):
     return changes
 
 
-def sweep(base, vary, columns, executor, options):
+def sweep(base: Problem, vary: Mapping[str | tuple[str, ...], Sequence[Any]], columns: Iterable[str] = ("effective_friction",),
+          executor: Executor | None = None, **options: Any) -> np.ndarray:
+    """Solves every combination of varied data. The first varied datum changes slowest.
+
+    Parameters
+    ----------
+    base : Problem
+        The problem with all other data.
+    vary : dict
+        Lists of values for paths in a problem file, {"friction.values[1]": ["0.1", "0.2"], ...}. Data that change together
+        have a tuple of paths, and tuples of values.
+    columns : list of str
+        Names of results: "load_share[0]", "contact[0].left.x", "largest_pressure.value", "effective_friction_error",
+        "singular_points.size".
+    executor : concurrent.futures.Executor
+        By default threads, one for each core.
+    **options
+        Those of Problem.solve().
+
+    Returns
+    -------
+    numpy.ndarray
+        A structured array with one row for each combination: the varied data, the results, and failed_condition, which
+        is empty if the problem was solved, and else the reason, also of a combination that is no valid problem.
+
+    Raises
+    ------
+    InvalidData
+        If vary or columns is wrong.
+
+    Examples
+    --------
+    >>> import steadyslide as ss
+    >>> p = ss.Problem(load=1, poisson="0.2", friction=["0.1", "0.5"], jumps=[0], profile="0")
+    >>> ss.sweep(p, {"friction.values[1]": ["0.1", "0.5"]})["effective_friction"].round(4)
+    array([0.1   , 0.2828])
+    """
     columns = list(columns)
     if not vary:
         raise InvalidData("vary: no data; a sweep varies at least one; none")

@@ -1,10 +1,12 @@
 """Wear of the indenter over a sliding distance."""
 
-from typing import NamedTuple
+from collections.abc import Callable
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from . import _core, _document
+from ._problem import Problem
 
 NAMES = ("distance", "left", "right", "zones", "effective_friction", "centre_of_pressure", "tilt", "largest_pressure",
          "wear_rate", "wear_volume", "from_run_in", "step_error")
@@ -49,7 +51,47 @@ def row_of(values):
     return np.array(tuple(np.nan if value is None else value for value in values), dtype=ROW)[()]
 
 
-def wear(problem, distance, steps, accuracy, until, cells, callback):
+def wear(problem: Problem, distance: Any, steps: int | None = None, accuracy: float | None = None, until: float | None = None,
+         cells: int | None = None, callback: Callable[[np.void, np.ndarray, np.ndarray], Any] | None = None) -> WearHistory:
+    """Wears the indenter by its pressure over a sliding distance. A step that is not solved raises nothing.
+
+    Parameters
+    ----------
+    problem : Problem
+        A problem with wear.
+    distance : number
+        The sliding distance.
+    steps : int
+        So many equal steps. By default steps are automatic, and grow as the contact runs in.
+    accuracy : float
+        The largest error of an automatic step, a part of the wear volume: 1e-6 to 1, by default 1e-3.
+    until : float
+        The run ends earlier if so small a part of the load differs from the run-in pressure.
+    cells : int
+        The number of equal cells on the support, by default 4096.
+    callback : function
+        Called with the row, the pressures and the worn depths first of the contact before any wear, then after each step. What
+        it raises ends the run.
+
+    Returns
+    -------
+    WearHistory
+        Rows, profiles, the run-in pressure.
+
+    Raises
+    ------
+    InvalidData
+        If the problem has no wear, or an option is out of range.
+
+    Examples
+    --------
+    >>> import steadyslide as ss
+    >>> p = ss.Problem(load=1, poisson="0.2", friction=["0.1", "0.5"], jumps=[0], profile="0",
+    ...                wear={"coefficients": ["3", "1"]})
+    >>> history = ss.wear(p, distance=1000, until=1e-6)
+    >>> history.rows["effective_friction"][[0, -1]].round(4)
+    array([0.2828, 0.4   ])
+    """
     told = None if callback is None else lambda row, pressure, depth: callback(row_of(row), pressure, depth)
     rows, edges, *rest = _core.wear(problem._core, _document.exact(distance, "distance"), steps, accuracy, until, cells, told)
     return WearHistory(np.array([row_of(row) for row in rows], dtype=ROW), (edges[1:] + edges[:-1]) / 2, *rest)
