@@ -8,7 +8,7 @@
 #   fourier                       the same transforms by Eigen's FFT; no solution here is large enough to need one
 #   rear_share                    needed by other commands than `solve`; Arb
 #   power_product_avx*            other processors' instructions
-#   friction_table, profile_trace, symbol_table  measured friction and profiles, which are files
+#   friction_table, profile_trace, symbol_table   files beside a problem: refused (tables.cpp)
 set(double_only_folder "${CMAKE_CURRENT_LIST_DIR}")
 
 # steadyslide_double_only(<library>): makes the library of all layers; the caller sets the options of its sources.
