@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "enclosure/loads/tolerance_band.hpp"
 #include "library/answer/enclosed_contact.hpp"
 #include "library/proof/certificate.hpp"
 #include "library/solve/warnings.hpp"
@@ -169,6 +170,42 @@ StretchText stretch_text(const enclosure::LoadStretch& stretch, int digits) {
   const bool is_proved = stretch.kind == Kind::proved || stretch.kind == Kind::closing;
   const char* status = is_proved ? "proved" : stretch.kind == Kind::event ? "event" : "open";
   return {full_number(stretch.from, digits), full_number(stretch.to, digits), status, stretch.words};
+}
+
+namespace {
+
+constexpr enclosure::Bits tolerance_bits = 64;
+constexpr int shown_digits = 6;
+
+/// Returns the number with its error; unknown if the text is empty.
+Ball ball_of(const NumberText& number) {
+  if (number.value.empty()) return Ball::unknown(tolerance_bits);
+  const auto part = [](const std::string& text) { return Ball(parse_rational(text), tolerance_bits); };
+  return Ball::plus_or_minus(part(number.value), part(number.error));
+}
+
+IntervalText interval_text(const Ball& ball) {
+  return {lower_text(ball, shown_digits), upper_text(ball, shown_digits)};
+}
+
+}  // namespace
+
+ToleranceText tolerance_text(const ContactProblem& problem, const Tolerance& tolerance, const ResultantsText& solved) {
+  const enclosure::ToleranceBand band(problem, tolerance.profile, tolerance.friction);
+  const Ball load(problem.load(), tolerance_bits);
+  ToleranceText result;
+  result.profile = exact_text(tolerance.profile);
+  result.friction = exact_text(tolerance.friction);
+  result.energy = upper_text(band.energy());
+  result.proved = solved.effective_friction.proved;
+  for (std::size_t k = 0; k < solved.load_share.size(); ++k) {
+    result.load_share.push_back(interval_text(band.load_share(k, ball_of(solved.load_share[k]))));
+    result.proved = result.proved && solved.load_share[k].proved;
+  }
+  const Ball friction = band.effective_friction(ball_of(solved.effective_friction));
+  result.effective_friction = interval_text(friction);
+  result.friction_force = interval_text(load * friction);
+  return result;
 }
 
 }  // namespace steadyslide::app

@@ -18,16 +18,6 @@ using enclosure::Ball;
 using numeric::Estimate;
 using numeric::Real;
 
-/// Returns what `forces` returns. An error of the mesh becomes one with the file and the line.
-template <class Forces>
-auto on_mesh(const MeshFile& mesh, const Forces& forces) {
-  try {
-    return forces();
-  } catch (const InvalidData& invalid) {
-    throw mesh.error(invalid);
-  }
-}
-
 /// Makes texts of numbers, and notes whether all are in range.
 class NumberWriter {
  public:
@@ -46,7 +36,7 @@ class NumberWriter {
   }
   /// Notes the range of the following numbers, or not.
   void judge(bool judged) { judged_ = judged; }
-  int digits() const { return digits_; }
+  std::string exactly(const Rational& value) const { return full_number(value, digits_); }
   bool in_range() const { return in_range_; }
 
  private:
@@ -89,38 +79,51 @@ EnclosedState state_of(const Elasticity& elasticity, const enclosure::StressComp
   return state;
 }
 
-/// `state_at` returns the stress at (x, z), `forces_on` the forces on the nodes of a mesh.
-template <class StateAt, class ForcesOn>
-FieldText points_and_nodes(const FieldWanted& wanted, NumberWriter& number, StateAt state_at, ForcesOn forces_on) {
-  FieldText text;
-  const auto exactly = [&](const Rational& value) { return full_number(value, number.digits()); };
+Column exact(const char* name) { return {name, Column::Holds::decimals}; }
+Column estimated(const char* name) { return {name, Column::Holds::numbers}; }
+
+void add(FieldText& text, FieldTable table) {
+  if (!table.rows.empty()) text.tables.push_back(std::move(table));
+}
+
+/// `state_at` returns the stress at (x, z).
+template <class StateAt>
+void add_stresses(FieldText& text, const FieldWanted& wanted, NumberWriter& number, StateAt state_at) {
+  FieldTable table{"stresses",
+                   "stresses in the body (tension positive; z into the body; force per area)",
+                   {exact("x"), exact("z"), estimated("sxx"), estimated("szz"), estimated("sxz"), estimated("syy"),
+                    estimated("von_mises"), estimated("largest_shear")}};
   for (const auto& [x, z] : wanted.points) {
     const auto state = state_at(x, z);
     number.judge(z > 0);  // at the surface a stress may be infinite
-    StressText row{exactly(x),
-                   exactly(z),
-                   number(state.xx),
-                   number(state.zz),
-                   number(state.xz),
-                   number(state.yy),
-                   number(state.von_mises()),
-                   number(state.largest_shear()),
-                   {}};
-    if (state.gradient) {
-      const auto& [x_x, x_z, z_x, z_z] = *state.gradient;
-      row.gradient = {number(x_x), number(x_z), number(z_x), number(z_z)};
-    }
-    text.stresses.push_back(std::move(row));
+    table.rows.push_back({number.exactly(x), number.exactly(z), number(state.xx), number(state.zz), number(state.xz),
+                          number(state.yy), number(state.von_mises()), number(state.largest_shear())});
+    std::array<NumberText, 4>& gradient = text.gradients.emplace_back();
+    if (!state.gradient) continue;
+    const auto& [x_x, x_z, z_x, z_z] = *state.gradient;
+    gradient = {number(x_x), number(x_z), number(z_x), number(z_z)};
   }
   number.judge(true);
-  if (wanted.mesh) {
-    const SurfaceMesh& mesh = wanted.mesh->mesh();
-    const auto forces = on_mesh(*wanted.mesh, [&] { return forces_on(mesh); });
+  add(text, std::move(table));
+}
+
+/// `forces_on` returns the forces on the nodes of a mesh. An error of the mesh becomes one with the file and the line.
+template <class ForcesOn>
+void add_nodal_forces(FieldText& text, const FieldWanted& wanted, NumberWriter& number, ForcesOn forces_on) {
+  if (!wanted.mesh) return;
+  FieldTable table{"nodal_forces",
+                   "nodal forces on the body (normal into the body, tangential along +x)",
+                   {exact("x"), estimated("normal"), estimated("tangential")}};
+  const SurfaceMesh& mesh = wanted.mesh->mesh();
+  try {
+    const auto forces = forces_on(mesh);
     for (std::size_t i = 0; i < forces.size(); ++i) {
-      text.nodal_forces.push_back({exactly(mesh.nodes()[i]), number(forces[i].normal), number(forces[i].tangential)});
+      table.rows.push_back({number.exactly(mesh.nodes()[i]), number(forces[i].normal), number(forces[i].tangential)});
     }
+  } catch (const InvalidData& invalid) {
+    throw wanted.mesh->error(invalid);
   }
-  return text;
+  add(text, std::move(table));
 }
 
 std::optional<LargestStressText::Average> average_text(const numeric::PiecewiseTraction<double>& traction,
@@ -142,29 +145,38 @@ FieldText field_text(const ContactProblem& problem, const numeric::ContactSoluti
   const numeric::PiecewiseTraction<R> traction = solution.piecewise_traction();
   std::optional<numeric::InteriorStress<R>> stress;
   if (wanted.has_stress()) stress.emplace(problem, solution);
-  FieldText text = points_and_nodes(
-      wanted, number,
-      [&](const Rational& x, const Rational& z) {
-        return z > 0 ? stress->at(x, z) : numeric::surface_stress(problem.elasticity(), solution.details_at(x));
-      },
-      [&](const SurfaceMesh& mesh) { return numeric::nodal_forces<R>(traction, mesh); });
+  FieldText text;
+  add_stresses(text, wanted, number, [&](const Rational& x, const Rational& z) {
+    return z > 0 ? stress->at(x, z) : numeric::surface_stress(problem.elasticity(), solution.details_at(x));
+  });
   if (!wanted.displaced.empty()) {
+    FieldTable table{"displacements",
+                     "displacements of the body (along x, into the body; 0 where u is 0)",
+                     {exact("x"), exact("z"), estimated("ux"), estimated("uz")}};
     const numeric::InteriorDisplacement<R> displacement(traction, problem.origin_of_displacement());
     for (const auto& [x, z] : wanted.displaced) {
       const numeric::Displacement<R> there = displacement.at(x, z);
-      text.displacements.push_back({full_number(x, digits), full_number(z, digits), number(there.x), number(there.z)});
+      table.rows.push_back({number.exactly(x), number.exactly(z), number(there.x), number(there.z)});
     }
+    add(text, std::move(table));
   }
   if constexpr (std::same_as<R, double>) {
+    FieldTable table{
+        "interfaces",
+        "interfaces (the largest shear and tension along each, and their places)",
+        {exact("depth"), estimated("shear"), estimated("shear_x"), estimated("tension"), estimated("tension_x")}};
     const auto interfaces =
         wanted.interfaces ? numeric::interface_stresses(*stress) : std::vector<numeric::InterfaceStress>();
     for (const auto& [depth, shear, shear_x, tension, tension_x] : interfaces) {
       number.judge(tension.value > 0);  // without tension it has no place
-      text.interfaces.push_back(
+      table.rows.push_back(
           {full_number(depth, digits), number(shear), number(shear_x), number(tension), number(tension_x)});
     }
     number.judge(true);
+    add(text, std::move(table));
   }
+  add_nodal_forces(text, wanted, number,
+                   [&](const SurfaceMesh& mesh) { return numeric::nodal_forces<R>(traction, mesh); });
   if (wanted.largest_stress) {
     const R depth = wanted.depth ? numeric::to_real<R>(*wanted.depth) : numeric::default_depth(solution);
     LargestStressText told;
@@ -187,12 +199,14 @@ FieldText field_text(const ContactProblem& problem, const numeric::ContactSoluti
 FieldText field_text(const ContactProblem& problem, const enclosure::EnclosedSolution& solution,
                      const FieldWanted& wanted, int digits) {
   NumberWriter number(digits);
-  return points_and_nodes(
-      wanted, number,
-      [&](const Rational& x, const Rational& z) {
-        return state_of(problem.elasticity(), enclosure::interior_stress(solution, x, z));
-      },
-      [&](const SurfaceMesh& mesh) { return enclosure::nodal_forces(solution, mesh.nodes(), mesh.order()); });
+  FieldText text;
+  add_stresses(text, wanted, number, [&](const Rational& x, const Rational& z) {
+    return state_of(problem.elasticity(), enclosure::interior_stress(solution, x, z));
+  });
+  add_nodal_forces(text, wanted, number, [&](const SurfaceMesh& mesh) {
+    return enclosure::nodal_forces(solution, mesh.nodes(), mesh.order());
+  });
+  return text;
 }
 
 LargestStressText lower_bound(const ContactProblem& problem, const enclosure::EnclosedSolution& solution,

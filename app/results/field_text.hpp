@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/results/rows.hpp"
 #include "enclosure/contact/enclosed_solution.hpp"
 #include "library/problem_file/surface_files.hpp"
 #include "library/text/number_format.hpp"
@@ -32,26 +33,12 @@ struct FieldWanted {
   bool any() const { return is_inside() || mesh; }
 };
 
-/// Texts are empty if the problem has no materials.
-struct StressText {
-  std::string x, z;
-  NumberText xx, zz, xz, yy, von_mises, largest_shear;
-  std::array<NumberText, 4> gradient;  ///< d u_x/dx, d u_x/dz, d u_z/dx, d u_z/dz
-};
-
-struct DisplacementText {
-  std::string x, z;
-  NumberText along, down;  ///< u_x, and u_z into the body
-};
-
-struct InterfaceText {
-  std::string depth;
-  NumberText shear, shear_x, tension, tension_x;
-};
-
-struct NodalForceText {
-  std::string x;
-  NumberText normal, tangential;
+/// Results at points, at interfaces or at nodes: a row for each.
+struct FieldTable {
+  std::string key;      ///< in JSON
+  std::string heading;  ///< in text
+  std::vector<Column> columns;
+  std::vector<std::vector<Cell>> rows{};
 };
 
 struct LargestStressText {
@@ -68,17 +55,12 @@ struct LargestStressText {
 };
 
 struct FieldText {
-  std::vector<StressText> stresses;
-  std::vector<DisplacementText> displacements;
-  std::vector<InterfaceText> interfaces;
-  std::vector<NodalForceText> nodal_forces;
-  std::optional<LargestStressText> largest_stress;
+  std::vector<FieldTable> tables;  ///< stresses, displacements, interfaces, nodal_forces; none is empty
+  std::vector<std::array<NumberText, 4>> gradients{};  ///< of the stresses: d u_x/dx, d u_x/dz, d u_z/dx, d u_z/dz
+  std::optional<LargestStressText> largest_stress{};
   bool in_range = true;  ///< false: some value is NaN or infinite
 
-  bool any() const {
-    return !stresses.empty() || !displacements.empty() || !interfaces.empty() || !nodal_forces.empty() ||
-           largest_stress;
-  }
+  bool any() const { return !tables.empty() || largest_stress; }
 };
 
 /// Throws InvalidFile if contact lies outside the mesh. With a window `over`, the largest stress has an average.

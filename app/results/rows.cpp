@@ -5,13 +5,18 @@
 #include <algorithm>
 #include <array>
 #include <boost/algorithm/string/replace.hpp>
-#include <nlohmann/json.hpp>
+#include <charconv>
+#include <cmath>
 #include <utility>
 
+#include "model/rational.hpp"
+
 namespace steadyslide::app {
-namespace {
 
 using Json = nlohmann::ordered_json;
+
+namespace {
+
 using Holds = Column::Holds;
 
 /// The words of a cell, or one of the texts of its number or numbers.
@@ -89,9 +94,7 @@ class JsonRows final : public RowWriter {
   using RowWriter::RowWriter;
 
   void row(const std::vector<Cell>& cells) override {
-    Json object;
-    for (std::size_t k = 0; k < cells.size(); ++k) object[columns_[k].name] = json_of(cells[k], columns_[k].holds);
-    output_.write((first_ ? "[\n  " : ",\n  ") + object.dump());
+    output_.write((first_ ? "[\n  " : ",\n  ") + row_json(columns_, cells).dump());
     first_ = false;
   }
 
@@ -231,6 +234,30 @@ Rows::Rows(Format format, std::vector<Column> columns, Output& output)
 
 Rows::Rows(std::vector<Column> columns, Output& output)
     : writer_(std::make_unique<TextRows>(std::move(columns), output, 2)) {}
+
+Json text_json(const std::string& text) { return text.empty() ? Json() : Json(text); }
+
+Json decimal_json(const std::string& text) {
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [read, error] = std::from_chars(text.data(), end, value);
+  if (text.empty() || read != end || error != std::errc() || !std::isfinite(value)) return text_json(text);
+  if (value == 0 && text != "0") return Json(text);
+  if (parse_rational(full_number(value, 16)) != parse_rational(text)) return Json(text);
+  const bool is_whole = std::abs(value) < 1e15 && value == std::trunc(value);
+  return is_whole ? Json(static_cast<std::int64_t>(value)) : Json(value);
+}
+
+Json number_json(const NumberText& number) {
+  return {{number.proved ? "mid" : "value", decimal_json(number.value)},
+          {number.proved ? "rad" : "error", decimal_json(number.error)}};
+}
+
+Json row_json(const std::vector<Column>& columns, const std::vector<Cell>& cells) {
+  Json object;
+  for (std::size_t k = 0; k < cells.size(); ++k) object[columns[k].name] = json_of(cells[k], columns[k].holds);
+  return object;
+}
 
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;

@@ -1,16 +1,17 @@
 #pragma once
 // Rows of a table in every output format: aligned text, a JSON array of objects, CSV, Markdown, and a complete LaTeX
 // document. For a number with an error, text shows the digits that the error supports; CSV has all digits and, after
-// the other columns, a column NAME_error; JSON has the form of number_json.hpp.
+// the other columns, a column NAME_error; JSON has {"value", "error"} for an estimate and {"mid", "rad"} for a proved
+// number; unknown ones are null.
 
 #include <initializer_list>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
-#include "app/results/number_json.hpp"
 #include "app/terminal/output.hpp"
 #include "library/text/number_format.hpp"
 
@@ -64,6 +65,15 @@ class Rows {
  private:
   std::unique_ptr<RowWriter> writer_;
 };
+
+/// A text; null if it is empty.
+nlohmann::ordered_json text_json(const std::string& text);
+/// A number if a double has all digits of the text, which holds for 16 digits or fewer; otherwise the text.
+nlohmann::ordered_json decimal_json(const std::string& text);
+/// A number with its error.
+nlohmann::ordered_json number_json(const NumberText& number);
+/// Returns an object with the names of the columns as keys.
+nlohmann::ordered_json row_json(const std::vector<Column>& columns, const std::vector<Cell>& cells);
 
 /// Returns a field of CSV according to RFC 4180.
 std::string csv_field(const std::string& text);

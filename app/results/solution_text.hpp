@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "app/results/field_text.hpp"
-#include "app/results/tolerance_text.hpp"
 #include "library/answer/quantities.hpp"
 #include "library/problem_file/problem_file.hpp"
 #include "library/solve/failed_condition.hpp"
@@ -65,6 +64,32 @@ struct SingularText {
 
 /// The exponent of the largest pressure is a text, "log" for a logarithm.
 using ResultantsText = answer::ResultantsOf<NumberText, std::string>;
+
+/// The tolerances of `solve --tolerance-profile` and `--tolerance-friction`.
+struct Tolerance {
+  Rational profile;   ///< largest change of the profile, in units of length
+  Rational friction;  ///< largest change of the friction coefficient
+};
+
+/// The ends of an interval, rounded outwards.
+struct IntervalText {
+  std::string from;
+  std::string to;
+};
+
+struct ToleranceText {
+  std::string profile;
+  std::string friction;
+  bool proved = false;  ///< false: the intervals rest on estimates of the solution
+  std::string energy;   ///< E, an upper bound (enclosure/loads/tolerance_band.hpp)
+  std::vector<IntervalText> load_share;
+  IntervalText friction_force;
+  IntervalText effective_friction;
+};
+
+/// Returns the intervals around the solved quantities. A quantity that is not known does not narrow its interval. Throws
+/// InvalidData if s = +-gamma f decreases towards +x.
+ToleranceText tolerance_text(const ContactProblem& problem, const Tolerance& tolerance, const ResultantsText& solved);
 
 /// The size of a named quantity.
 struct NamedSize {

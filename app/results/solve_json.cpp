@@ -62,7 +62,6 @@ Json half_space(const Elasticity& elasticity, const Body& body) {
     layered["layers"].push_back(std::move(of_layer));
   }
   return layered;
-  return json;
 }
 
 Json indenter(const ContactProblem& problem, const std::optional<MeasuredProfile>& measured) {
@@ -174,14 +173,6 @@ Json sample_json(const SampleText& sample) {
   return json;
 }
 
-Json stress_json(const StressText& at) {
-  const auto& [x_x, x_z, z_x, z_z] = at.gradient;
-  Json json = with(Json(), "x", decimal_json(at.x), "z", decimal_json(at.z), "sxx", at.xx, "szz", at.zz, "sxz", at.xz,
-                   "syy", at.yy, "von_mises", at.von_mises, "largest_shear", at.largest_shear);
-  json["displacement_gradient"] = with(Json(), "dux_dx", x_x, "dux_dz", x_z, "duz_dx", z_x, "duz_dz", z_z);
-  return json;
-}
-
 Json largest_stress_json(const LargestStressText& largest) {
   Json json = with(Json(), "depth", decimal_json(largest.depth), "von_mises", largest.von_mises, "x", largest.x, "z",
                    largest.z, "unbounded_at", largest.unbounded_at);
@@ -194,22 +185,13 @@ Json largest_stress_json(const LargestStressText& largest) {
 }
 
 void add_field(Json& json, const FieldText& field) {
-  if (!field.stresses.empty()) json["stresses"] = array(field.stresses, stress_json);
-  if (!field.displacements.empty()) {
-    json["displacements"] = array(field.displacements, [](const DisplacementText& at) {
-      return with(Json(), "x", decimal_json(at.x), "z", decimal_json(at.z), "ux", at.along, "uz", at.down);
-    });
+  for (const FieldTable& table : field.tables) {
+    json[table.key] = array(table.rows, [&](const auto& row) { return row_json(table.columns, row); });
   }
-  if (!field.interfaces.empty()) {
-    json["interfaces"] = array(field.interfaces, [](const InterfaceText& one) {
-      return with(Json(), "depth", decimal_json(one.depth), "shear", one.shear, "shear_x", one.shear_x, "tension",
-                  one.tension, "tension_x", one.tension_x);
-    });
-  }
-  if (!field.nodal_forces.empty()) {
-    json["nodal_forces"] = array(field.nodal_forces, [](const NodalForceText& force) {
-      return with(Json(), "x", decimal_json(force.x), "normal", force.normal, "tangential", force.tangential);
-    });
+  for (std::size_t k = 0; k < field.gradients.size(); ++k) {
+    const auto& [x_x, x_z, z_x, z_z] = field.gradients[k];
+    json["stresses"][k]["displacement_gradient"] =
+        with(Json(), "dux_dx", x_x, "dux_dz", x_z, "duz_dx", z_x, "duz_dz", z_z);
   }
   if (field.largest_stress) json["largest_stress"] = largest_stress_json(*field.largest_stress);
 }

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <array>
-
 #include "app/results/solve_writers.hpp"
 
 namespace steadyslide::app {
@@ -47,99 +44,45 @@ void write_samples(const SolutionText& solution, const std::vector<Cell>& first,
   }
 }
 
-void write_stresses(const SolutionText& solution, const std::vector<Cell>& first, Rows& rows) {
-  for (const StressText& at : solution.field.stresses) {
-    rows.row(joined<Cell>(first, {at.x, at.z, at.xx, at.zz, at.xz, at.yy, at.von_mises, at.largest_shear}, {}));
-  }
-}
+const std::vector<Column> largest_stress_columns{"depth", number("von_mises"), number("x"), number("z"), "over"};
 
-void write_displacements(const SolutionText& solution, const std::vector<Cell>& first, Rows& rows) {
-  for (const auto& [x, z, along, down] : solution.field.displacements) {
-    rows.row(joined<Cell>(first, {x, z, along, down}, {}));
-  }
-}
-
-void write_interfaces(const SolutionText& solution, const std::vector<Cell>& first, Rows& rows) {
-  for (const auto& [depth, shear, shear_x, tension, tension_x] : solution.field.interfaces) {
-    rows.row(joined<Cell>(first, {depth, shear, shear_x, tension, tension_x}, {}));
-  }
-}
-
-void write_nodal_forces(const SolutionText& solution, const std::vector<Cell>& first, Rows& rows) {
-  for (const auto& [x, normal, tangential] : solution.field.nodal_forces) {
-    rows.row(joined<Cell>(first, {x, normal, tangential}, {}));
-  }
-}
-
-void write_largest_stress(const SolutionText& solution, const std::vector<Cell>& first, Rows& rows) {
-  const LargestStressText& largest = *solution.field.largest_stress;
+void write_largest_stress(const LargestStressText& largest, const std::vector<Cell>& first, Rows& rows) {
   rows.row(joined<Cell>(first, {largest.depth, largest.von_mises, largest.x, largest.z, ""}, {}));
   if (const auto& average = largest.average)
     rows.row(joined<Cell>(first, {"0", average->von_mises, average->x, average->z, average->over}, {}));
 }
 
-/// A table of a solution. Each row begins with the cells `first`.
-struct Table {
-  std::string heading;  ///< in text; empty if the text is not a table
-  bool (*applies)(const FieldText& field);
-  std::vector<Column> columns;
-  void (*write)(const SolutionText& solution, const std::vector<Cell>& first, Rows& rows);
-};
+/// Returns the columns of a CSV file: those of the first table that was requested.
+const std::vector<Column>& csv_columns(const FieldText& field) {
+  if (!field.tables.empty()) return field.tables.front().columns;
+  return field.largest_stress ? largest_stress_columns : sample_columns;
+}
 
-const std::array<Table, 6> tables{
-    {{"stresses in the body (tension positive; z into the body; force per area)",
-      [](const FieldText& field) { return !field.stresses.empty(); },
-      {"x", "z", number("sxx"), number("szz"), number("sxz"), number("syy"), number("von_mises"),
-       number("largest_shear")},
-      write_stresses},
-     {"displacements of the body (along x, into the body; 0 where u is 0)",
-      [](const FieldText& field) { return !field.displacements.empty(); },
-      {"x", "z", number("ux"), number("uz")},
-      write_displacements},
-     {"interfaces (the largest shear and tension along each, and their places)",
-      [](const FieldText& field) { return !field.interfaces.empty(); },
-      {"depth", number("shear"), number("shear_x"), number("tension"), number("tension_x")},
-      write_interfaces},
-     {"nodal forces on the body (normal into the body, tangential along +x)",
-      [](const FieldText& field) { return !field.nodal_forces.empty(); },
-      {"x", number("normal"), number("tangential")},
-      write_nodal_forces},
-     {"",
-      [](const FieldText& field) { return field.largest_stress.has_value(); },
-      {"depth", number("von_mises"), number("x"), number("z"), "over"},
-      write_largest_stress},
-     {"", [](const FieldText&) { return true; }, sample_columns, write_samples}}};
-
-/// Returns the table of a CSV file: the first that was requested.
-const Table& requested_table(const SolutionText& solution) {
-  return *std::ranges::find_if(tables, [&](const Table& table) { return table.applies(solution.field); });
+/// Each row begins with the cells `first`.
+void write_csv_rows(const SolutionText& solution, const std::vector<Cell>& first, Rows& rows) {
+  const FieldText& field = solution.field;
+  if (!field.tables.empty()) {
+    for (const std::vector<Cell>& row : field.tables.front().rows) rows.row(joined<Cell>(first, row, {}));
+  } else if (field.largest_stress) {
+    write_largest_stress(*field.largest_stress, first, rows);
+  } else {
+    write_samples(solution, first, rows);
+  }
 }
 
 }  // namespace
 
-void write_field_tables(const SolutionText& solution, Output& output) {
-  for (const Table& table : tables) {
-    if (table.heading.empty() || !table.applies(solution.field)) continue;
-    output.write("\n" + table.heading + "\n");
-    Rows rows(table.columns, output);
-    table.write(solution, {}, rows);
-    rows.end();
-  }
-}
-
 void write_csv(const Problem&, const SolutionText& solution, Output& output) {
-  const Table& table = requested_table(solution);
-  Rows rows(Format::csv, table.columns, output);
-  table.write(solution, {}, rows);
+  Rows rows(Format::csv, csv_columns(solution.field), output);
+  write_csv_rows(solution, {}, rows);
   rows.end();
 }
 
 void write_csv(const Problem& problem, const BothText& both, Output& output) {
-  const Table& table = requested_table(both.as_given);
-  Rows rows(Format::csv, joined<Column>({"sliding"}, table.columns, {}), output);
+  Rows rows(Format::csv, joined<Column>({"sliding"}, csv_columns(both.as_given.field), {}), output);
   const Sliding sliding = problem.contact.sliding();
-  table.write(both.as_given, {name_of(sliding)}, rows);
-  table.write(both.opposite, {name_of(opposite(sliding))}, rows);
+  write_csv_rows(both.as_given, {name_of(sliding)}, rows);
+  write_csv_rows(both.opposite, {name_of(opposite(sliding))}, rows);
   rows.end();
 }
 

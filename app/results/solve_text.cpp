@@ -156,7 +156,12 @@ void write_samples(const SolutionText& solution, Output& output) {
 }
 
 void write_field(const SolutionText& solution, Output& output) {
-  write_field_tables(solution, output);
+  for (const FieldTable& table : solution.field.tables) {
+    output.write("\n" + table.heading + "\n");
+    Rows rows(table.columns, output);
+    for (const std::vector<Cell>& row : table.rows) rows.row(row);
+    rows.end();
+  }
   if (const auto& largest = solution.field.largest_stress) {
     output.write("\nlargest von Mises stress\n");
     const std::vector<NumberText>& unbounded = largest->unbounded_at;

@@ -29,9 +29,6 @@ void write_text(const Problem& problem, const BothText& both, Output& output);
 /// Writes the whole result, with the problem as it was read.
 void write_json(const Problem& problem, const SolutionText& solution, Output& output);
 void write_json(const Problem& problem, const BothText& both, Output& output);
-/// Writes the stresses, one row for each point, and the nodal forces, one row for each node. The gradient of the
-/// displacement is left out.
-void write_field_tables(const SolutionText& solution, Output& output);
 /// Writes stresses, nodal forces or the largest stress, if one of them was requested (docs/finite-elements.md); otherwise the
 /// samples (docs/results.md). A sample has two rows if a left and a right limit differ.
 void write_csv(const Problem& problem, const SolutionText& solution, Output& output);

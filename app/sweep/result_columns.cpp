@@ -58,7 +58,7 @@ const Json* found(const Json& json, std::span<const Step> steps, bool any = fals
 
 bool asks_size(const std::vector<Step>& steps) { return !steps.empty() && steps.back() == Step("size"); }
 
-/// True for a number with its error (number_json.hpp).
+/// True for a number with its error (rows.hpp).
 bool is_number(const Json& json) { return json.is_object() && json.contains("error"); }
 
 /// The text of a value. For a number, `part` chooses its value or its error.
