@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/figures/solved.hpp"
+#include "numeric/interior/surface_stress.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -13,27 +14,12 @@ constexpr int columns = 320;
 
 }  // namespace
 
-numeric::StressState<double> surface_stress(const numeric::ContactSolution<double>& solution,
-                                            const ContactProblem& problem, double x) {
-  const numeric::DetailedSample<double> sample = solution.details_at(Rational(x));
-  const double gamma = numeric::to_real<double>(problem.elasticity().gamma());
-  const double c = numeric::to_real<double>(problem.elasticity().compliance());
-  const double nu = numeric::to_real<double>(problem.elasticity().half_space()->poisson());
-  const double t = sample.traction.left.value;
-  numeric::StressState<double> stress;
-  stress.xx.value = (1 - 2 * gamma) * t + 2 * sample.shear_slope.left.value / c;
-  stress.zz.value = t;
-  stress.xz.value = -sample.shear.left.value;
-  stress.yy = nu * (stress.xx + stress.zz);
-  return stress;
-}
-
 double surface_error(const numeric::ContactSolution<double>& solution, const ContactProblem& problem,
                      const Rational& z) {
   const numeric::InteriorStress<double> interior(solution);
   double worst = 0;
   for (const double x : {-0.75, -0.5, -0.25, 0.25, 0.5, 0.75}) {
-    const numeric::StressState<double> above = surface_stress(solution, problem, x);
+    const numeric::StressState<double> above = surface_stress(problem.elasticity(), solution.details_at(Rational(x)));
     const numeric::StressState<double> below = interior.at(Rational(x), z);
     worst = std::max({worst, std::abs(above.zz.value - below.zz.value), std::abs(above.xz.value - below.xz.value)});
   }
@@ -54,7 +40,9 @@ Panel stress_panel(const numeric::ContactSolution<double>& solution, const Conta
   for (int j = 0; j <= rows; ++j) {
     map.y.push_back(view.depth * j / rows);
     if (j == 0) {
-      std::ranges::transform(x, states.begin(), [&](double at) { return surface_stress(solution, problem, at); });
+      std::ranges::transform(x, states.begin(), [&](double at) {
+        return surface_stress(problem.elasticity(), solution.details_at(Rational(at)));
+      });
     } else {
       interior.at(x, std::vector(columns, view.length * map.y.back()), states);
     }

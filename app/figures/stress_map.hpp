@@ -12,11 +12,6 @@ namespace steadyslide::app {
 ContactProblem stress_map_problem();
 ContactProblem stress_parabola_problem();
 
-/// The limit of the stresses at a place of the surface that is not a singular point, without error estimates: sigma_zz
-/// = t, sigma_xz = -t_t, sigma_xx = (1 - 2 gamma) t + 2 u_t'/c.
-numeric::StressState<double> surface_stress(const numeric::ContactSolution<double>& solution,
-                                            const ContactProblem& problem, double x);
-
 /// The largest difference of sigma_zz and sigma_xz between the depth z and the surface, 0.25 away from the singular
 /// points of stress_map_problem().
 double surface_error(const numeric::ContactSolution<double>& solution, const ContactProblem& problem,
