@@ -11,6 +11,8 @@ TEST_CASE("bad command lines: message, exit code, no output") {
   folder.write("good.toml", rest + "profile = 0\n");
   folder.write("wedge.toml", rest + "pieces = [{to = 0, profile = \"-x\"}, {to = 1, profile = \"x\"}]\n");
   folder.write("tilt.toml", "load_at = 0\n" + rest + "profile = 0\n");
+  folder.write("reduced.toml", replaced(rest, "poisson = 0.3", "gamma = 0.25") + "profile = 0\n");
+  folder.write("surface.csv", "0,0\n");
   std::string trace;  // a trace with more breaks than the Riemann-Hilbert method takes
   for (int k = -101; k <= 101; ++k) trace += std::to_string(k) + "e-2," + std::to_string(k * k) + "e-4\n";
   folder.write("rough.csv", trace);
@@ -25,7 +27,8 @@ TEST_CASE("bad command lines: message, exit code, no output") {
     for (const auto& [command, name] : choices(line)) refused(arguments_of(command), filled(message, name));
   }
   refused({"solve", "good.toml", "two\nlines"}, "one argument too many; solve --help lists them; 'two\\x0alines'");
-  CHECK(folder.names() == std::vector<std::string>{"good.toml", "rough.csv", "rough.toml", "tilt.toml", "wedge.toml"});
+  CHECK(folder.names() == std::vector<std::string>{"good.toml", "reduced.toml", "rough.csv", "rough.toml",
+                                                   "surface.csv", "tilt.toml", "wedge.toml"});
 }
 
 TEST_CASE("--help prints complete help at every level to the standard output") {

@@ -157,9 +157,6 @@ TEST_CASE("stresses at the surface are those of the traction, and the limits of 
   CHECK(real_at(json["stresses"][2], "szz") == 0);
   CHECK(value_of(json["stresses"][3]["szz"]) == "-inf");
   CHECK(value_of(json["stresses"][3]["von_mises"]).is_null());
-  check_refused(folder.run({"solve", "p.toml", "--stress-at", "points.csv", "--certify"}),
-                "command line: --certify: no proved stress at the surface; with it the points of --stress-at have "
-                "depths above 0; 'z = 0'");
 }
 
 TEST_CASE("displacements: u at the surface, its sign, its zero, and both directions") {
@@ -190,24 +187,6 @@ TEST_CASE("displacements: u at the surface, its sign, its zero, and both directi
   CHECK(rows[7].starts_with("-x,0.5,0,"));
   CHECK(rows[2].substr(2) != rows[7].substr(2));
   CHECK(holds(out_of(folder.run(files)), "displacements of the body (along x, into the body; 0 where u is 0)\n  x "));
-  folder.write("p.toml", reduced);
-  check_refused(
-      folder.run(files),
-      "command line: --displacement-at: no displacement; it needs the half-space's poisson in place of gamma; "
-      "'p.toml'");
-  check_refused(folder.run(joined(files, {"--certify"})),
-                "command line: --certify: conflicting option; displacements have estimates, no proof; "
-                "'--displacement-at'");
-}
-
-TEST_CASE("fields that the problem or the method does not have are refused") {
-  check_refused(
-      run_alone({"solve", "-", "--max-stress"}, reduced),
-      "command line: --max-stress: no von Mises stress; it needs the half-space's poisson in place of gamma; '-'");
-  const TemporaryFolder folder{{"p.toml", coated}, {"points.csv", "0,1\n"}};
-  check_refused(folder.run({"solve", "p.toml", "--certify", "--method", "variational", "--stress-at", "points.csv"}),
-                "command line: --certify: method without proved stresses and nodal forces; with them it goes with "
-                "closed-form and riemann-hilbert; '--method variational'");
 }
 
 TEST_CASE("both directions: the fields of the other one are those of a file with that direction") {

@@ -19,13 +19,6 @@ profile = "x^2/2"
 )";
 const std::string wear = "[wear]\ncoefficients = [1, 3, \"0.5\"]\n";
 
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream stream(line + ",");
-  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-  return cells;
-}
-
 /// The column of a table in CSV.
 std::vector<double> column(const std::string& table, const std::string& name) {
   const std::vector<std::string> rows = lines(table), names = cells_of(rows[0]);
