@@ -71,7 +71,7 @@ void refuse_conflicts(const Given& given, const SolveOptions& options) {
                {"--displacement-at", "--interfaces", "--loads-on", "--max-stress", "--at", "--at-file", "--samples"},
                one_table),
       conflict("--displacement-at", csv && given.has("--displacement-at"),
-               {"--loads-on", "--max-stress", "--at", "--at-file", "--samples"}, one_table),
+               {"--interfaces", "--loads-on", "--max-stress", "--at", "--at-file", "--samples"}, one_table),
       conflict("--interfaces", csv && given.has("--interfaces"),
                {"--loads-on", "--max-stress", "--at", "--at-file", "--samples"}, one_table),
       conflict("--loads-on", csv && given.has("--loads-on"), {"--max-stress", "--at", "--at-file", "--samples"},
