@@ -18,6 +18,7 @@ using namespace steadyslide::checker;
 constexpr const char* usage =
     "usage: steadyslide-check --problem FILE.toml CERTIFICATE\n"
     "       steadyslide-check CERTIFICATE\n"
+    "       steadyslide-check --version\n"
     "\n"
     "Proves again what a certificate of 'steadyslide solve --certify' claims, and that it is one for the problem in the file.\n"
     "Without --problem the certificate's own copy of the problem is believed: it may be another problem than yours.\n"
@@ -86,6 +87,10 @@ int run(int count, char** arguments) {
     const std::string word = arguments[k];
     if (word == "--help" || word == "-h") {
       std::fputs(usage, stdout);
+      return 0;
+    }
+    if (word == "--version") {
+      std::puts("steadyslide-check " STEADYSLIDE_VERSION);
       return 0;
     }
     if (word == "--problem" && k + 1 < count && problem.empty()) {

@@ -109,7 +109,13 @@ Headers, archives, and the files by which CMake and pkg-config find them.")
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME "${python_package}")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
-set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3, python3-numpy")
+if(python_package)
+  # A module is for one minor version of Python.
+  find_package(Python 3.11 REQUIRED COMPONENTS Interpreter)
+  math(EXPR next_python "${Python_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+      "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next_python}), python3-numpy")
+endif()
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "gnuplot-nox, python3-mpmath")
 set(CPACK_DEBIAN_PYTHON_DESCRIPTION "${summary} (Python 3)
 ${subject}
