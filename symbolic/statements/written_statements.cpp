@@ -150,6 +150,7 @@ class StatementReader : private ExpressionMeaning {
     }
   }
 
+  /// Returns the line of the `end` of a loop, or the end of the section.
   std::size_t end_of_loop(std::size_t first) const {
     int depth = 0;
     for (std::size_t k = first; k < section_.lines.size(); ++k) {
@@ -157,7 +158,7 @@ class StatementReader : private ExpressionMeaning {
       depth += (keyword == "for") - (keyword == "end");
       if (depth == 0) return k;
     }
-    refuse("`for` has an `end`", section_.lines[first].rest);
+    return section_.lines.size();
   }
 
   void define(const std::string& definition) {

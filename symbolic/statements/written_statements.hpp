@@ -6,7 +6,7 @@
 //                                     none; says WORD continues the statement of the facts with this word
 //   field s_l, s_r                    frictions: r(s), cos(s), sin(s), angle(s) and phase(form) then have a meaning
 //   let a = EXPR, f(x) = EXPR         names
-//   for e = 1, -1, 3..7               the lines up to `end` for each value
+//   for e = 1, -1, 3..7               the lines up to `end`, or to the end of the statement, for each value
 //   equal NAME :: LHS = RHS           an equation in the field of phases; without NAME :: of rational functions
 //   wrong WORDS :: a = EXPR, ...      a variant: other values of names that `let` gives; in EXPR all names have their
 //                                     right values
