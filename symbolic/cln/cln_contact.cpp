@@ -38,7 +38,7 @@ bool ClnContact::free_ends_fit() const {
 
 Decimal ClnContact::traction(const Rational& x) const {
   const auto refuse = [&](const std::string& why) {
-    throw std::domain_error(name + ": " + why + "; x = " + to_string(x));
+    throw std::domain_error("derived traction: " + why + "; x = " + to_string(x));
   };
   const auto from = [&](const ClnPoint& place) { return number(Rational(x - place.exact)) - place.rest; };
   const cl_F from_left = from(places.front());
@@ -61,20 +61,6 @@ Decimal ClnContact::traction(const Rational& x) const {
   const std::size_t piece = problem.friction().piece(x, Side::left);
   product = product * cos_pi_alpha(problem.coupled_friction(piece), format);
   return rounded(from_cln(product), digits);
-}
-
-const Polynomial& one_profile(const ContactProblem& problem, const std::string& what) {
-  const std::vector<Indenter::Piece>& pieces = problem.indenter().pieces();
-  for (const Indenter::Piece& piece : pieces) {
-    if (piece.profile != pieces[0].profile) throw std::domain_error(what + ": one profile on the whole support");
-  }
-  if (problem.load_at()) throw std::domain_error(what + ": the indenter keeps its attitude");
-  return pieces[0].profile;
-}
-
-cln::float_format_t format_for(int digits, const std::string& what) {
-  if (digits < 1) throw std::domain_error(what + ": at least one digit; " + std::to_string(digits));
-  return cln_format(digits + 2 * cln_guard_digits);
 }
 
 }  // namespace steadyslide::symbolic

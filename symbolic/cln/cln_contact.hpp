@@ -5,7 +5,6 @@
 //
 // with a polynomial N. For sources of this layer only. Not thread-safe, because CLN is not.
 
-#include <string>
 #include <vector>
 
 #include "model/contact_problem.hpp"
@@ -24,7 +23,6 @@ struct ClnContact {
     bool is_datum;
   };
 
-  std::string name;  ///< name of the traction in messages
   ContactProblem problem;
   int digits;  ///< served
   cln::float_format_t format;
@@ -46,13 +44,5 @@ struct ClnContact {
   /// or so close to a free end that the working precision cannot distinguish them.
   Decimal traction(const Rational& x) const;
 };
-
-/// Returns the profile of the support. Throws std::domain_error, with a message that begins with `what`, if the profile
-/// has several pieces or the indenter may tilt.
-const Polynomial& one_profile(const ContactProblem& problem, const std::string& what);
-
-/// Returns the float format for results of `digits` digits. Throws std::domain_error, with a message that begins with
-/// `what`, if digits < 1.
-cln::float_format_t format_for(int digits, const std::string& what);
 
 }  // namespace steadyslide::symbolic

@@ -44,7 +44,12 @@ cl_F evaluate(const ex& e, const SymbolValues& values, cln::float_format_t forma
 }
 
 ContactProfile profile_of(const ContactProblem& problem) {
-  const Polynomial& psi = one_profile(problem, "derived contact");
+  const std::vector<Indenter::Piece>& pieces = problem.indenter().pieces();
+  const Polynomial& psi = pieces[0].profile;
+  for (const Indenter::Piece& piece : pieces) {
+    if (piece.profile != psi) throw std::domain_error("derived contact: one profile on the whole support");
+  }
+  if (problem.load_at()) throw std::domain_error("derived contact: the indenter keeps its attitude");
   const Rational curvature = psi.coefficient(2);
   if (psi.degree() > 2 || curvature < 0) throw std::domain_error("derived contact: psi = A x^2 + B x + C with A >= 0");
   const Rational c = problem.elasticity().compliance();
@@ -162,7 +167,8 @@ bool DerivedContact::State::fits() const {
 }
 
 std::vector<DerivedContact> DerivedContact::all(const ContactProblem& problem, int digits) {
-  const cln::float_format_t format = format_for(digits, "derived contact");
+  if (digits < 1) throw std::domain_error("derived contact: at least one digit; " + std::to_string(digits));
+  const cln::float_format_t format = cln_format(digits + 2 * cln_guard_digits);
   const auto [origin, slope] = profile_of(problem);
   const std::vector<Rational>& jumps = problem.friction().jumps();
   std::vector<DerivedContact> found;
@@ -172,9 +178,8 @@ std::vector<DerivedContact> DerivedContact::all(const ContactProblem& problem, i
       const std::size_t first_end = left == EndKind::edge ? 0 : jumps.size();
       for (std::size_t first = 0; first <= first_end; ++first) {
         for (std::size_t last = right == EndKind::edge ? jumps.size() : first; last <= jumps.size(); ++last) {
-          State state{{"derived traction", problem, digits, format, origin, first, last},
-                      slope,
-                      FundamentalSolution(left, right, last - first)};
+          State state{
+              {problem, digits, format, origin, first, last}, slope, FundamentalSolution(left, right, last - first)};
           for (std::size_t k = first; k <= last; ++k) state.frictions.push_back(problem.coupled_friction(k));
           const std::size_t right_end = state.solution.points().size() - 1;
           for (std::size_t j = 0; j <= right_end; ++j) {

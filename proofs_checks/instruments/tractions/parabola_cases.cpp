@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "numeric/closed_form/closed_form.hpp"
-#include "symbolic/cln/cln_closed_form.hpp"
+#include "symbolic/riemann_hilbert/derived_contact.hpp"
 
 namespace steadyslide::proofs_checks {
 
@@ -102,19 +102,19 @@ void visit_values(const PowerForm<R>& form, const Visit& visit) {
 template <Real R>
 void check_parabola_by_cln(Findings& findings, const ParabolaTraction& t, const ContactProblem& problem) {
   const PowerForm<R> form = t.at<R>();
-  const Quantity ends{"ends of the contact, in CLN", {"the formula", "Newton's method in CLN"}, tolerance<R>()};
+  const Quantity ends{"ends of the contact, in CLN", {"the formula", "the derived contact in CLN"}, tolerance<R>()};
   // If a free end almost touches a friction jump, the condition number of the traction is the inverse of their
   // distance.
   const Quantity values{"values of the traction, in CLN, times shortest panel over width",
-                        {"the formula", "closed form in CLN"},
+                        {"the formula", "the derived contact in CLN"},
                         tolerance<R>()};
   const R conditioning = std::ranges::min(form.lengths) / (form.points().back() - form.left_end);
   const Rational vertex = vertex_of(problem);
   // CLN rounds the ends in the user's x. If the vertex is far away, this costs digits.
-  const auto zones = symbolic::ClnClosedForm::parabola(problem, numeric::digits_served<R> + 15);
+  const auto zones = symbolic::DerivedContact::all(problem, numeric::digits_served<R> + 15);
   findings.require(zones.size() == 1, "CLN finds " + std::to_string(zones.size()) + " contact zones");
-  compare_ends(findings, ends, form, to_real<R>(zones[0].left().value - vertex),
-               to_real<R>(zones[0].right().value - vertex));
+  compare_ends(findings, ends, form, to_real<R>(zones[0].end(End::left).value - vertex),
+               to_real<R>(zones[0].end(End::right).value - vertex));
   visit_values(form, [&](std::size_t, const Node<R>& node, const R& value) {
     const Rational x = Rational(node.x) + vertex;
     const R by_cln = to_real<R>(zones[0].traction(x).value);

@@ -23,7 +23,7 @@ template <Real R>
 void check_parabola(Findings& findings, const ParabolaTraction& t, const ContactProblem& problem,
                     const Context& context);
 
-/// Compares ends and tractions with the solution by Newton's method in CLN.
+/// Compares ends and tractions with the derived contact in CLN.
 template <Real R>
 void check_parabola_by_cln(Findings& findings, const ParabolaTraction& t, const ContactProblem& problem);
 

@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "numeric/closed_form/closed_form.hpp"
-#include "symbolic/cln/cln_closed_form.hpp"
+#include "symbolic/riemann_hilbert/derived_contact.hpp"
 
 namespace steadyslide::proofs_checks {
 
@@ -78,10 +78,12 @@ PowerProduct punch_traction(const ContactProblem& problem) {
 
 template <Real R>
 void check_punch_values(Findings& findings, const PowerForm<R>& form, const ContactProblem& problem) {
-  const Quantity by_cln{"values of the traction, in CLN", {"the formula", "closed form in CLN"}, tolerance<R>()};
+  const Quantity by_cln{
+      "values of the traction, in CLN", {"the formula", "the derived contact in CLN"}, tolerance<R>()};
   const Quantity by_numeric{
       "values of the traction, as solved", {"the formula", "the closed form that `solve` uses"}, tolerance<R>()};
-  const auto cln = symbolic::ClnClosedForm::flat_punch(problem, numeric::digits_served<R> + 5);
+  const auto derived = symbolic::DerivedContact::all(problem, numeric::digits_served<R> + 5);
+  findings.require(derived.size() == 1, "not one derived contact");
   const auto data = numeric::closed_form_data<R>(problem);
   const auto* closed_form = std::get_if<numeric::ClosedFormData<R>>(&data);
   findings.require(closed_form != nullptr, "the numeric layer knows no closed form");
@@ -95,7 +97,7 @@ void check_punch_values(Findings& findings, const PowerForm<R>& form, const Cont
       const Rational x = left + fraction * (right - left);
       const Node<R> node{to_real<R>(x), to_real<R>(x - left), to_real<R>(right - x)};
       const R t = traction(k, node);
-      findings.compare(by_cln, relative_difference<R>(t, to_real<R>(cln.traction(x).value)));
+      findings.compare(by_cln, relative_difference<R>(t, to_real<R>(derived[0].traction(x).value)));
       findings.compare(by_numeric, relative_difference<R>(t, closed_form->traction(k, node)));
     }
   }

@@ -46,7 +46,7 @@ std::vector<Exponent> angles(const ContactProblem& problem);
 /// Returns the formula: a power at each point, and an amplitude on each piece between points.
 PowerProduct punch_traction(const ContactProblem& problem);
 
-/// Compares with CLN's value of the same traction and with the numeric layer's closed form, at points of every panel.
+/// Compares with the derived contact in CLN and with the numeric layer's closed form, at points of every panel.
 template <Real R>
 void check_punch_values(Findings& findings, const PowerForm<R>& form, const ContactProblem& problem);
 

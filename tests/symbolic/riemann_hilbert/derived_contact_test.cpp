@@ -1,6 +1,5 @@
 #include "symbolic/riemann_hilbert/derived_contact.hpp"
 #include "support/symbolic_test.hpp"
-#include "symbolic/cln/cln_closed_form.hpp"
 #include "symbolic/cln/cln_evaluation.hpp"
 
 using namespace steadyslide::symbolic;
@@ -21,33 +20,6 @@ Decimal only_traction(const ContactProblem& problem, const Rational& x, int digi
 }
 
 }  // namespace
-
-TEST_CASE("derived tractions are the closed forms, on random flat punches and parabolas") {
-  int with_jumps = 0;
-  CHECK(rc::check([&] {
-    const auto [jumps, s] = random_friction();
-    const Sliding sliding = uniform(0, 1) == 0 ? Sliding::plus_x : Sliding::minus_x;
-    const Rational load = sixtieths(1, 120), x = sixtieths(-59, 60) + 0.001_r;
-
-    const ContactProblem flat = problem(s, jumps, {}, 1, load, sliding);
-    RC_ASSERT(near(only_traction(flat, x, 60).value, ClnClosedForm::flat_punch(flat, 60).traction(x).value, 59));
-
-    const Rational vertex = sixtieths(-30, 30), a = sixtieths(1, 600);
-    const ContactProblem curved = problem(s, jumps, {a * vertex * vertex, -2 * a * vertex, a}, 100, load, sliding);
-    const auto known = ClnClosedForm::parabola(curved, 60);
-    const auto derived = DerivedContact::all(curved, 60);
-    RC_ASSERT(derived.size() == known.size());
-    for (std::size_t k = 0; k < known.size(); ++k) {
-      with_jumps += known[k].last_jump() > known[k].first_jump();
-      RC_ASSERT(near(derived[k].end(End::left).value, known[k].left().value, 58));
-      RC_ASSERT(near(derived[k].end(End::right).value, known[k].right().value, 58));
-      RC_ASSERT(derived[k].kind(End::left) == SingularKind::free);
-      const Rational inside = (known[k].left().value * 2 + known[k].right().value) / 3;
-      RC_ASSERT(near(derived[k].traction(inside).value, known[k].traction(inside).value, 57));
-    }
-  }));
-  CHECK(with_jumps > 10);
-}
 
 TEST_CASE("a tilted punch: both edges carry until P/(pi (1+2 alpha)) and -P/(pi (1-2 alpha))") {
   for (const Rational& s : {0_r, Rational(1, 3), 2_r}) {
