@@ -1,6 +1,7 @@
 // The recursion of the numeric layer against the decided formulas of one layer, with 100 digits.
 
 #include "symbolic/cln/layer_formulas.hpp"
+
 #include "numeric/layers/body_symbols.hpp"
 #include "support/numeric_test.hpp"
 
