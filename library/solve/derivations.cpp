@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "symbolic/local/local_derivations.hpp"
-#include "symbolic/riemann_hilbert/closed_form_derivation.hpp"
+#include "symbolic/riemann_hilbert/derived_contact.hpp"
 
 namespace steadyslide::library {
 namespace {
@@ -13,11 +13,13 @@ constexpr std::size_t most_jumps_of_closed_form = 8;
 
 std::vector<symbolic::Derivation> closed_forms(const ContactProblem& problem) {
   if (problem.friction().jumps().size() > most_jumps_of_closed_form) return {};
+  std::vector<symbolic::Derivation> all;
   try {
-    return symbolic::riemann_hilbert_derivations(problem);
+    for (const auto& contact : symbolic::DerivedContact::all(problem, 30)) all.push_back(contact.derivation());
   } catch (const std::domain_error&) {
     return {};  // the profile has no closed form; the exponents are derived nevertheless
   }
+  return all;
 }
 
 }  // namespace

@@ -30,17 +30,12 @@ std::string kind_in_words(PointKind kind) {
 
 class ContactDeriver {
  public:
-  explicit ContactDeriver(const DerivationInput& input) : input_(input), field_(input.frictions), names_(input.names) {
-    for (std::size_t k = 0; k < input.frictions.size(); ++k) {
-      names_["s_" + number(k)] = "s_{" + number(k) + "}";
-      names_["r_s_" + number(k)] = "\\sqrt{1+s_{" + number(k) + "}^{2}}";
-    }
+  explicit ContactDeriver(const DerivationInput& input) : input_(input), field_(input.frictions) {
     for (std::size_t k = 1; k <= most_sums; ++k) names_["sigma_" + number(k)] = "\\sigma_{" + number(k) + "}";
     names_["pi"] = "\\pi";
   }
 
   Derivation derive() {
-    derivation_.title = input_.title;
     data();
     relation();
     exponents();
@@ -89,8 +84,7 @@ class ContactDeriver {
       const Formula name = indexed("s", "s", k);
       const Formula angle{"alpha_" + number(k) + " = arctan(" + name.text + ")/pi",
                           "\\alpha_{" + number(k) + "} = \\tfrac{1}{\\pi}\\arctan " + name.latex};
-      const bool is_symbol = GiNaC::is_a<GiNaC::symbol>(input_.frictions[k]);
-      const Formula value = is_symbol ? name : equation(name, of(input_.frictions[k]));
+      const Formula value = equation(name, of(input_.frictions[k]));
       derivation_.assume("Friction on panel " + number(k) + ", and its angle.",
                          {value.text + ", " + angle.text, value.latex + ",\\quad " + angle.latex});
     }

@@ -10,16 +10,14 @@
 namespace steadyslide::symbolic {
 
 struct DerivationInput {
-  std::string title;
   FundamentalSolution solution;      ///< one component
-  std::vector<GiNaC::ex> frictions;  ///< symbols or rational numbers
+  std::vector<GiNaC::ex> frictions;  ///< rational numbers
   std::vector<Formula> places;       ///< of the ends and jumps, as text for readers
   std::vector<GiNaC::ex> slope;      ///< psi', by coefficients of 1, x, ...
   GiNaC::ex load_over_pi;
-  LatexNames names = {};  ///< more symbols in slope and load
 };
 
-/// Returns the derivation. Throws std::domain_error if the contact and psi' admit no traction (N = 0).
+/// Returns the derivation without a title. Throws std::domain_error if the contact and psi' admit no traction (N = 0).
 Derivation derive(const DerivationInput& input);
 
 }  // namespace steadyslide::symbolic

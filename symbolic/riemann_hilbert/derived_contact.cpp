@@ -212,7 +212,7 @@ Decimal DerivedContact::traction(const Rational& x) const { return state_->tract
 
 Derivation DerivedContact::derivation() const {
   const State& s = *state_;
-  DerivationInput input{"Contact with the problem's numbers", s.solution, {}, {}, {}, {}, {}};
+  DerivationInput input{s.solution, {}, {}, {}, {}};
   for (const Rational& friction : s.frictions) input.frictions.push_back(to_expression(friction));
   for (std::size_t j = 0; j < s.places.size(); ++j) {
     const std::string index = std::to_string(j);
@@ -222,7 +222,7 @@ Derivation DerivedContact::derivation() const {
   for (const Rational& a : s.slope) input.slope.push_back(to_expression(a));
   input.load_over_pi = to_expression(s.problem.load()) / GiNaC::symbol("pi");
   Derivation result;
-  result.title = input.title;
+  result.title = "Contact with the problem's numbers";
   result.assume("Lengths `x` are measured from this place of the user's axis.",
                 {"x = 0 at " + to_string(s.origin), "x = 0 \\text{ at } " + to_string(s.origin)});
   for (DerivationStep& step : derive(input).steps) result.steps.push_back(std::move(step));

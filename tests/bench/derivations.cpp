@@ -3,16 +3,12 @@
 #include <benchmark/benchmark.h>
 
 #include "symbolic/local/local_derivations.hpp"
-#include "symbolic/riemann_hilbert/closed_form_derivation.hpp"
+#include "symbolic/riemann_hilbert/derived_contact.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::symbolic;
 
 namespace {
-
-void closed_form(benchmark::State& state, ClosedFormKind kind) {
-  for (auto _ : state) benchmark::DoNotOptimize(closed_form_derivation(kind, static_cast<int>(state.range(0))));
-}
 
 ContactProblem punch(int jumps) {
   std::vector<Rational> values{Rational(1, 5)};
@@ -27,7 +23,7 @@ ContactProblem punch(int jumps) {
 /// A problem with numbers. Its radicals are square roots of integers, and products of radicals occur.
 void problem_closed_form(benchmark::State& state) {
   const ContactProblem problem = punch(static_cast<int>(state.range(0)));
-  for (auto _ : state) benchmark::DoNotOptimize(riemann_hilbert_derivations(problem));
+  for (auto _ : state) benchmark::DoNotOptimize(DerivedContact::all(problem, 30).front().derivation());
 }
 
 void problem_local_forms(benchmark::State& state) {
@@ -35,16 +31,6 @@ void problem_local_forms(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(local_derivations(problem));
 }
 
-BENCHMARK_CAPTURE(closed_form, flat_punch, ClosedFormKind::flat_punch)
-    ->DenseRange(0, 4)
-    ->Arg(8)
-    ->Arg(16)
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(closed_form, tilted_punch, ClosedFormKind::tilted_punch)
-    ->DenseRange(0, 4)
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(closed_form, parabola, ClosedFormKind::parabola)->DenseRange(0, 4)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(closed_form, quartic, ClosedFormKind::quartic)->DenseRange(0, 4)->Unit(benchmark::kMillisecond);
 BENCHMARK(problem_closed_form)->DenseRange(0, 4)->Arg(8)->Unit(benchmark::kMillisecond);
 BENCHMARK(problem_local_forms)->DenseRange(0, 4)->Arg(8)->Unit(benchmark::kMillisecond);
 
