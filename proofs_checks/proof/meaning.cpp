@@ -154,17 +154,4 @@ const Meaning& meaning() {
   return all;
 }
 
-MeaningCounts counts_of(const Meaning& meaning, const Theory& theory) {
-  MeaningCounts counts{theory.words.size(), 0, 0, 0};
-  for (const auto& [word, says] : theory.words) counts.words_with_formula += theory.formulas.contains(word) ? 1 : 0;
-  const auto count = [&](const Rule& rule) {
-    ++counts.rules;
-    if (meaning.of(rule).instances == 0) ++counts.rules_in_words;
-  };
-  for (const auto& [word, rule] : theory.definitions) count(rule);
-  for (const auto& [word, rule] : theory.inferences) count(rule);
-  for (const auto& [name, rules] : theory.theorems) std::ranges::for_each(rules, count);
-  return counts;
-}
-
 }  // namespace steadyslide::proofs_checks

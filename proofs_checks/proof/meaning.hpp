@@ -53,10 +53,4 @@ class Meaning {
 /// Returns the meaning of the ledger's theory.
 const Meaning& meaning();
 
-/// The numbers of words and rules that are in use.
-struct MeaningCounts {
-  std::size_t words = 0, words_with_formula = 0, rules = 0, rules_in_words = 0;
-};
-MeaningCounts counts_of(const Meaning& meaning, const Theory& theory);
-
 }  // namespace steadyslide::proofs_checks
