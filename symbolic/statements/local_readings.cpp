@@ -1,15 +1,11 @@
 #include "symbolic/statements/statements.hpp"
 
-#include <algorithm>
-
-#include "symbolic/local/local_form.hpp"
 #include "symbolic/statements/local_form_check.hpp"
 
 namespace steadyslide::symbolic {
 namespace {
 
 using GiNaC::ex;
-using GiNaC::symbol;
 
 std::string outcome(const std::string& mismatch) { return mismatch.empty() ? "holds" : "leaves " + mismatch; }
 
@@ -22,7 +18,10 @@ LocalReading compared(std::string id, const LocalCandidate& printed, const Local
           d.empty()};
 }
 
-void add_ends(std::vector<LocalReading>& readings) {
+}  // namespace
+
+std::vector<LocalReading> local_readings() {
+  std::vector<LocalReading> readings;
   const LocalEnd rear(Side::right);
   const LocalEnd front(Side::left);
   const auto compare = [&](const char* id, const LocalEnd& end, const AngleForm& printed, const AngleForm& derived) {
@@ -48,33 +47,6 @@ void add_ends(std::vector<LocalReading>& readings) {
   for (const char* id : {"eq-04-exponent", "eq-05-exponent", "eq-08-exponent", "eq-10-exponents"}) {
     compare(id, rear, local_exponent(-1, 0, 0), local_exponent(-1, 0, -1));
   }
-}
-
-/// True if the signs admit contact on both sides. The arguments are numbers.
-bool admitted(const ex& left, const ex& right, const ex& slope_jump) {
-  const LocalForm form = derive_local_form({ContactSide::both, {left, {0, 0, 0}}, {right, {slope_jump, 0, 0}}});
-  return std::ranges::none_of(form.conditions, [](const LocalCondition& c) { return c.holds == Truth::no; });
-}
-
-void add_words(std::vector<LocalReading>& readings) {
-  const ex low = GiNaC::numeric(1, 10);
-  const ex high = GiNaC::numeric(3, 5);
-  readings.push_back({"theorem-2-words-re-entrant", "", !admitted(low, high, -1),
-                      !admitted(low, low, -1) && !admitted(high, low, -1) && admitted(low, high, -1)});
-  readings.push_back(
-      {"theorem-2-words-limit", "", admitted(high, low, -1), admitted(high, low, 1) && !admitted(high, low, -1)});
-  const LocalForm form =
-      derive_local_form({ContactSide::both, {symbol("s_l")}, {symbol("s_r")}, Beyond::indenter, true});
-  const bool free_amplitude = !form.terms.front().forced && form.terms.front().left.has(form.theta);
-  readings.push_back({"theorem-2-words-infinity", "", !free_amplitude, free_amplitude});
-}
-
-}  // namespace
-
-std::vector<LocalReading> local_readings() {
-  std::vector<LocalReading> readings;
-  add_ends(readings);
-  add_words(readings);
   return readings;
 }
 

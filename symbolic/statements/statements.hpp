@@ -55,13 +55,13 @@ inline constexpr std::array<StatementFamily, 7> statement_families{{{"elasticity
                                                                     {"uniqueness", uniqueness_statements},
                                                                     {"hilbert", hilbert_statements}}};
 
-/// A place in the paper's text (taken from its open version) that differs from the local forms or omits a condition
-/// that they need. The structure holds the results of the decision procedure for the printed reading and for the
-/// reading that this project uses. The reading notes contain both, with the same ids.
+/// A place in the paper's text (taken from its open version) that differs from the local forms. The structure holds the
+/// results of the decision procedure for the printed reading and for the reading that this project uses. The reading
+/// notes contain both, with the same ids.
 struct LocalReading {
   std::string id;
-  std::string found;   ///< the result of the local equation for both, as a sentence; empty if the signs alone decide
-  bool printed_holds;  ///< the decision for the printed reading without further conditions
+  std::string found;   ///< the result of the local equation for both, as a sentence
+  bool printed_holds;  ///< the decision for the printed reading
   bool derived_holds;
 };
 
