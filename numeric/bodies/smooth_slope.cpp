@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <span>
 
+#include "numeric/number/chebyshev.hpp"
 #include "numeric/number/polynomial.hpp"
 
 namespace steadyslide::numeric {
@@ -12,24 +11,6 @@ namespace {
 
 /// The points of a panel. Its singularities are at least a panel's length away, so the series converges like 4.2^-n.
 constexpr std::size_t panel_points = 26;
-
-double chebyshev_point(std::size_t i, std::size_t count) {
-  return std::cos(std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(count));
-}
-
-/// Returns the coefficients of Chebyshev's polynomials from values at Chebyshev's points.
-std::vector<double> chebyshev_series(std::span<const double> values) {
-  const std::size_t n = values.size();
-  std::vector<double> series(n);
-  for (std::size_t k = 0; k < n; ++k) {
-    for (std::size_t i = 0; i < n; ++i) {
-      series[k] += values[i] * std::cos(std::numbers::pi * static_cast<double>(k) * (static_cast<double>(i) + 0.5) /
-                                        static_cast<double>(n));
-    }
-    series[k] *= (k == 0 ? 1.0 : 2.0) / static_cast<double>(n);
-  }
-  return series;
-}
 
 /// Returns the coefficients of 1, y, y^2, ... of a Chebyshev series in y.
 std::vector<double> powers_of(const std::vector<double>& series) {
@@ -58,16 +39,7 @@ Loss loss_of(int degree, double distance, double radius) {
 
 }  // namespace
 
-double SmoothSlope::Panel::at(double x) const {
-  const double y = (2 * x - left - right) / (right - left);
-  double above = 0, sum = 0;
-  for (std::size_t k = series.size(); k-- > 1;) {
-    const double next = 2 * y * sum - above + series[k];
-    above = sum;
-    sum = next;
-  }
-  return y * sum - above + series[0];
-}
+double SmoothSlope::Panel::at(double x) const { return chebyshev_sum(series, (2 * x - left - right) / (right - left)); }
 
 SmoothSlope::Division SmoothSlope::division(double length, double distance, double radius, int most) {
   constexpr int highest_degree = 24;
@@ -84,6 +56,7 @@ SmoothSlope::Division SmoothSlope::division(double length, double distance, doub
 SmoothSlope::SmoothSlope(const Indenter& indenter, double left, double right,
                          const std::function<double(double)>& radius) {
   const auto end = to_real<double>(indenter.right());
+  const ChebyshevPoints<double> points(panel_points);
   for (double from = to_real<double>(indenter.left()); from < end;) {
     // A panel is not longer than the distance of the singularities from its points.
     double length = radius(from);
@@ -99,16 +72,19 @@ SmoothSlope::SmoothSlope(const Indenter& indenter, double left, double right,
       rough_error_ = std::max(rough_error_, panel.rough.error);
       fine_error_ = std::max(fine_error_, panel.fine.error);
     }
-    for (std::size_t i = 0; i < panel_points; ++i)
-      nodes_.push_back(middle + (to - from) / 2 * chebyshev_point(i, panel_points));
+    for (std::size_t i = 0; i < panel_points; ++i) nodes_.push_back(middle + (to - from) / 2 * points.place(i));
     panels_.push_back(std::move(panel));
     from = to;
   }
 }
 
 void SmoothSlope::set(std::vector<double> values) {
-  for (std::size_t k = 0; k < panels_.size(); ++k)
-    panels_[k].series = chebyshev_series(std::span(values).subspan(k * panel_points, panel_points));
+  const ChebyshevPoints<double> points(panel_points);
+  auto next = values.begin();
+  for (Panel& panel : panels_) {
+    panel.series = points.series({next, next + panel_points});
+    next += panel_points;
+  }
 }
 
 ContactProblem SmoothSlope::added_to(const ContactProblem& problem, const Rational& factor, Detail detail) const {
@@ -126,14 +102,14 @@ ContactProblem SmoothSlope::added_to(const ContactProblem& problem, const Ration
       const bool is_last = &panel == &panels_.back() && i + 1 == count_of_pieces;
       const double right = i + 1 == count_of_pieces ? panel.right : panel.left + (i + 1) * length;
       const Rational middle = (Rational(left) + Rational(right)) / 2, half = (Rational(right) - Rational(left)) / 2;
-      const auto count = static_cast<std::size_t>(degree + 1);
-      std::vector<double> values(count);
-      for (std::size_t j = 0; j < count; ++j) {
-        const double y = chebyshev_point(j, count);
-        values[j] = panel.at((left * (1 - y) + right * (1 + y)) / 2);
+      const ChebyshevPoints<double> points(static_cast<std::size_t>(degree + 1));
+      std::vector<double> values;
+      for (std::size_t j = 0; j < points.size(); ++j) {
+        const double y = points.place(j);
+        values.push_back(panel.at((left * (1 - y) + right * (1 + y)) / 2));
       }
       std::vector<Rational> powers;
-      for (const double c : powers_of(chebyshev_series(values))) powers.emplace_back(c);
+      for (const double c : powers_of(points.series(values))) powers.emplace_back(c);
       // The polynomial in y = (x - middle)/half is corrected by rounding errors, so that slopes join exactly.
       const double next = panel.at(right);
       const Polynomial raw(powers);

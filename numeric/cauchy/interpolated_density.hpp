@@ -10,6 +10,7 @@
 #include <cmath>
 #include <memory>
 
+#include "numeric/number/chebyshev.hpp"
 #include "numeric/number/once.hpp"
 #include "numeric/quadrature/density.hpp"
 
@@ -28,15 +29,7 @@ class InterpolatedFactor {
                                         [](const R& x, const PanelInterval& part) { return x < part.left; });
     const PanelInterval& part = after == parts.begin() ? *after : *(after - 1);
     if (part.series.empty()) return smooth_(node);
-    // Clenshaw's sum.
-    const R v = 2 * (place - part.left) / part.width - 1;
-    R last = 0, before = 0;
-    for (std::size_t k = part.series.size(); k-- > 1;) {
-      const R next = 2 * v * last - before + part.series[k];
-      before = last;
-      last = next;
-    }
-    return v * last - before + part.series[0];
+    return chebyshev_sum(part.series, R(2 * (place - part.left) / part.width - 1));
   }
 
  private:
@@ -51,31 +44,24 @@ class InterpolatedFactor {
   };
 
   std::vector<PanelInterval> resolved() const {
-    std::vector<R> cosines;  // of pi k/2n
-    for (std::size_t k = 0; k < 4 * nodes; ++k) cosines.push_back(cosine(k));
+    const ChebyshevPoints<R> points(nodes);
     std::vector<PanelInterval> result;
-    resolve(R(0), R(1), 0, infinity<R>(), cosines, result);
+    resolve(R(0), R(1), 0, infinity<R>(), points, result);
     return result;
   }
 
-  static R cosine(std::size_t k) { return cos(pi<R>() * static_cast<double>(k) / static_cast<double>(2 * nodes)); }
-
   /// `before`: the relative error of the part of twice this width.
-  void resolve(const R& left, const R& width, int halvings, const R& before, const std::vector<R>& cosines,
+  void resolve(const R& left, const R& width, int halvings, const R& before, const ChebyshevPoints<R>& points,
                std::vector<PanelInterval>& result) const {
-    std::vector<R> values, series;
+    std::vector<R> values;
     for (std::size_t i = 0; i < nodes; ++i) {
-      const R place = left + width * (1 + cosines[2 * i + 1]) / 2;
-      const R rest = (1 - left - width) + width * (1 - cosines[2 * i + 1]) / 2;
+      const R place = left + width * (1 + points.place(i)) / 2;
+      const R rest = (1 - left - width) + width * (1 - points.place(i)) / 2;
       values.push_back(smooth_({panel_.left + place * panel_.length, place * panel_.length, rest * panel_.length}));
     }
+    std::vector<R> series = points.series(values);
     R largest = 0;
-    for (std::size_t k = 0; k < nodes; ++k) {
-      R sum = 0;
-      for (std::size_t i = 0; i < nodes; ++i) sum += values[i] * cosines[k * (2 * i + 1) % (4 * nodes)];
-      series.push_back(sum * (k == 0 ? 1 : 2) / static_cast<double>(nodes));
-      largest = std::max(largest, R(abs(series.back())));
-    }
+    for (const R& coefficient : series) largest = std::max(largest, R(abs(coefficient)));
     const R missed = abs(series[nodes - 1]) + abs(series[nodes - 2]);
     // Next to a logarithm they decrease to a half or less with each halving, and stay above this level.
     const R roundings = largest * epsilon<R>();
@@ -86,7 +72,7 @@ class InterpolatedFactor {
       result.push_back({left, width, {}});
     } else {
       for (const R& half : {left, R(left + width / 2)}) {
-        resolve(half, width / 2, halvings + 1, missed / largest, cosines, result);
+        resolve(half, width / 2, halvings + 1, missed / largest, points, result);
       }
     }
   }

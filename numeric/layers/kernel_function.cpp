@@ -2,20 +2,10 @@
 
 #include <algorithm>
 
+#include "numeric/number/chebyshev.hpp"
+
 namespace steadyslide::numeric {
 namespace {
-
-/// Returns Clenshaw's sum of c_m T_m(v).
-template <Real R>
-R chebyshev_sum(const std::vector<R>& series, const R& v) {
-  R last = 0, before = 0;
-  for (std::size_t m = series.size(); m-- > 1;) {
-    const R next = 2 * v * last - before + series[m];
-    before = last;
-    last = next;
-  }
-  return v * last - before + series[0];
-}
 
 template <Real R>
 R value_on(const typename KernelFunction<R>::Panel& panel, const R& y) {

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "numeric/layers/chebyshev_points.hpp"
+#include "numeric/number/chebyshev.hpp"
 
 namespace steadyslide::numeric {
 namespace {

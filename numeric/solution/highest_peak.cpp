@@ -1,10 +1,11 @@
 #include "numeric/solution/highest_peak.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <queue>
+
+#include "numeric/number/chebyshev.hpp"
 
 namespace steadyslide::numeric {
 namespace {
@@ -15,24 +16,13 @@ constexpr double resolved = 1e-10;
 /// The largest number of halvings of a part.
 constexpr int most_halvings = 60;
 
-/// Returns sum_k c_k T_k(v), -1 <= v <= 1.
+/// The coefficients c_k of sum_k c_k T_k(v), -1 <= v <= 1.
 template <Real R>
-using Series = std::array<R, nodes>;
-
-template <Real R>
-R value_of(const Series<R>& c, const R& v) {
-  R last = 0, before = 0;
-  for (std::size_t k = nodes; k-- > 1;) {
-    const R next = 2 * v * last - before + c[k];
-    before = last;
-    last = next;
-  }
-  return v * last - before + c[0];
-}
+using Series = std::vector<R>;
 
 template <Real R>
 Series<R> derivative(const Series<R>& c) {
-  Series<R> d{};
+  Series<R> d(nodes, R(0));
   for (std::size_t k = nodes - 1; k > 0; --k) {
     d[k - 1] = 2 * static_cast<double>(k) * c[k] + (k + 1 < nodes ? d[k + 1] : R(0));
   }
@@ -47,26 +37,17 @@ R size_of(const Series<R>& c, std::size_t first = 0) {
   return sum;
 }
 
-/// T_k at node i, cos(pi k (2 i + 1)/32), and (1 + v)/2 and (1 - v)/2 at the nodes v.
+/// Chebyshev's points v, and (1 + v)/2 and (1 - v)/2 there.
 template <Real R>
 struct Nodes {
-  std::array<Series<R>, nodes> cosine;
-  Series<R> from_left, from_right;
+  ChebyshevPoints<R> points{nodes};
+  std::vector<R> from_left, from_right;
 
-  static const Nodes& get() {
-    static const Nodes instance;
-    return instance;
-  }
-
- private:
   Nodes() {
     for (int i = 0; i < nodes; ++i) {
-      const R angle = pi<R>() * (2 * i + 1) / (2 * nodes);
-      const auto n = static_cast<std::size_t>(i);
-      for (std::size_t k = 0; k < nodes; ++k) cosine[n][k] = cos(static_cast<double>(k) * angle);
-      const R c = cos(angle / 2), s = sin(angle / 2);
-      from_left[n] = c * c;
-      from_right[n] = s * s;
+      const R angle = pi<R>() * (2 * i + 1) / (4 * nodes), c = cos(angle), s = sin(angle);
+      from_left.push_back(c * c);
+      from_right.push_back(s * s);
     }
   }
 };
@@ -137,19 +118,15 @@ class PeakSearch {
 
   /// Returns the highest of the nodes.
   Peak<R> interpolate(PanelInterval<R>& part) const {
-    const Nodes<R>& at = Nodes<R>::get();
-    Series<R> values;
+    static const Nodes<R> at;
+    std::vector<R> values;
     std::optional<Peak<R>> highest;
     for (std::size_t i = 0; i < nodes; ++i) {
       Peak<R> node = peak_at(part, at.from_left[i], at.from_right[i]);
-      values[i] = node.value.value;
+      values.push_back(node.value.value);
       if (!highest || values[i] > highest->value.value) highest = std::move(node);
     }
-    for (std::size_t k = 0; k < nodes; ++k) {
-      R sum = 0;
-      for (std::size_t i = 0; i < nodes; ++i) sum += values[i] * at.cosine[i][k];
-      part.series[k] = sum * (k == 0 ? 1 : 2) / nodes;
-    }
+    part.series = at.points.series(values);
     return *highest;
   }
 
@@ -168,12 +145,12 @@ class PeakSearch {
     R largest = least();
     std::optional<R> place;
     const auto visit = [&](const auto& self, const R& middle, const R& half) -> void {
-      const R value = value_of(part.series, middle);
+      const R value = chebyshev_sum(part.series, middle);
       if (value > largest) {
         largest = value;
         place = middle;
       }
-      const R more = abs(value_of(first, middle)) * half + curvature * half * half / 2;
+      const R more = abs(chebyshev_sum(first, middle)) * half + curvature * half * half / 2;
       if (value + more <= largest || more <= enough) return;
       self(self, middle - half / 2, half / 2);
       self(self, middle + half / 2, half / 2);
@@ -197,11 +174,11 @@ class PeakSearch {
       interpolate(part);
       const Series<R> first = derivative(part.series);
       const Series<R> second = derivative(first);
-      R v = -value_of(first, R(0)) / value_of(second, R(0));
+      R v = -chebyshev_sum(first, R(0)) / chebyshev_sum(second, R(0));
       const bool within = abs(v) < 1;
-      for (int step = 0; within && step < 8; ++step) v -= value_of(first, v) / value_of(second, v);
-      if (!(abs(v) * half < room / 2) || !(value_of(second, R(0)) < 0)) break;
-      const R noise = nodes * nodes * (value.error + epsilon<R>() * value.value) / abs(value_of(second, R(0)));
+      for (int step = 0; within && step < 8; ++step) v -= chebyshev_sum(first, v) / chebyshev_sum(second, v);
+      if (!(abs(v) * half < room / 2) || !(chebyshev_sum(second, R(0)) < 0)) break;
+      const R noise = nodes * nodes * (value.error + epsilon<R>() * value.value) / abs(chebyshev_sum(second, R(0)));
       peak = {panel, left + v * half, right - v * half, f_(panel, left + v * half, right - v * half), error};
       if (!within) continue;
       peak.place_error = half * std::min(R(1), noise);

@@ -1,11 +1,23 @@
 #pragma once
-// Chebyshev's points of the first kind on [-1, 1], and the series through values there.
+// Chebyshev's points of the first kind on [-1, 1], the series through values there, and sums of series.
 
 #include <vector>
 
 #include "numeric/number/real.hpp"
 
 namespace steadyslide::numeric {
+
+/// Returns sum_m c_m T_m(v) by Clenshaw's recurrence, -1 <= v <= 1. There is at least one coefficient.
+template <Real R>
+R chebyshev_sum(const std::vector<R>& series, const R& v) {
+  R last = 0, before = 0;
+  for (std::size_t m = series.size(); m-- > 1;) {
+    const R next = 2 * v * last - before + series[m];
+    before = last;
+    last = next;
+  }
+  return v * last - before + series[0];
+}
 
 template <Real R>
 class ChebyshevPoints {
