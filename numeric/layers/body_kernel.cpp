@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
-#include "numeric/number/chebyshev.hpp"
 #include "numeric/layers/symbol_transform.hpp"
+#include "numeric/number/chebyshev.hpp"
 
 namespace steadyslide::numeric {
 namespace {
