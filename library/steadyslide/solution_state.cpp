@@ -104,7 +104,7 @@ class SolvedIn final : public Solution::State {
     digits = wanted.digits;
     instead = std::move(of_another);
     method = solution_->method();
-    const bool on_cells = dynamic_cast<const numeric::VariationalSolution*>(solution_.get()) != nullptr;
+    const bool on_cells = solution_->equal_cells().has_value();
     failed_condition =
         library::failed_condition(*solution_, solution_->residuals(),
                                   on_cells ? std::numeric_limits<double>::infinity()

@@ -8,6 +8,7 @@
 #include "numeric/bodies/fixed_point.hpp"
 #include "numeric/bodies/smooth_slope.hpp"
 #include "numeric/layers/layer_field.hpp"
+#include "numeric/periodic/repeated_contact.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
 #include "numeric/solution/gathered_forces.hpp"
@@ -132,6 +133,7 @@ class CorrectedContact {
 };
 
 Attempt<double> CorrectedContact::solve(const ContactSolution<double>& cells) {
+  if (slope_.nodes().empty()) return {nullptr, "the repeated contact has no gap, or lengths are out of range"};
   constexpr double widest = 10;
   if (right_ - left_ > widest * correction_->radius(0))
     return {nullptr, "the contact is more than 20 times as wide as the first layer is thick"};
@@ -154,6 +156,10 @@ Attempt<double> CorrectedContact::solve(const ContactSolution<double>& cells) {
       detail = Detail::fine;
       least = infinity<double>();
       without_progress = 0;
+    }
+    if (!w.allFinite()) {
+      reason = "a number is not finite";
+      break;
     }
     const ContactSolution<double>& start = best ? *best : cells;
     const Attempt<double> found = riemann_hilbert<double>(corrected(w, detail), &start);
@@ -200,7 +206,11 @@ Attempt<double> contact_on_body(const ContactProblem& problem) {
   const Attempt<double> cells = variational_inequality(problem, {.cells = 1024});
   if (!cells.solution || !cells.solution->failed_condition().empty())
     return {nullptr, cells.solution ? cells.solution->failed_condition() : cells.reason};
-  return CorrectedContact(problem, *cells.solution).solve(*cells.solution);
+  // The cells cover the support, in periodic contact one period whose ends lie in a gap.
+  const Rational begin = cells.solution->equal_cells()->left;
+  const ContactProblem solved = beginning_at(begin, problem);
+  Attempt<double> found = CorrectedContact(solved, *cells.solution).solve(*cells.solution);
+  return {repeated(problem, begin, std::move(found.solution)), std::move(found.reason)};
 }
 
 }  // namespace steadyslide::numeric

@@ -10,7 +10,7 @@ namespace steadyslide::numeric {
 /// Refuses contacts more than ten times as wide as the distance of the correction's singularities, which is twice the
 /// thickness of the first layer. Starts from cells and iterates w with Anderson's acceleration. The solution is absent if the iteration does not
 /// converge, and `reason` says why. The relative errors contain 10 times the last change of w. On bodies with a
-/// period or given symbols the slope u_t' is not known, and its error is infinite.
+/// period or given symbols the slope u_t' is not known, and its error is infinite. Periodic contact needs a gap.
 Attempt<double> contact_on_body(const ContactProblem& problem);
 
 }  // namespace steadyslide::numeric

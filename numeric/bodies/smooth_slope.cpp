@@ -61,6 +61,11 @@ SmoothSlope::SmoothSlope(const Indenter& indenter, double left, double right,
     // A panel is not longer than the distance of the singularities from its points.
     double length = radius(from);
     while (length > radius(from + length)) length = std::max(length / 2, radius(from + length));
+    if (!(length > 0 && std::isfinite(length))) {
+      panels_.clear();
+      nodes_.clear();
+      return;
+    }
     // Ends with few digits keep the numbers of the polynomials short.
     const double grid = std::exp2(std::floor(std::log2(length)) - 6);
     double to = std::floor((from + length) / grid) * grid;

@@ -14,7 +14,7 @@ namespace steadyslide::numeric {
 class SmoothSlope {
  public:
   /// Makes the panels for a slope on the support with singularities at the distance radius(x) from x. The contact lies
-  /// in [left, right].
+  /// in [left, right]. Without panels and nodes if a radius is not positive and finite.
   SmoothSlope(const Indenter& indenter, double left, double right, const std::function<double(double)>& radius);
 
   /// Returns the places at which the slope is given.

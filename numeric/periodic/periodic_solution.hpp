@@ -2,7 +2,7 @@
 // The solution of periodic contact on one zone in each period, as a ContactSolution. Its traction is that of
 // periodic_traction.hpp. Places are moved into one period, because all fields are periodic: the period that begins at the
 // support's left end, or in the middle of the gap if the contact lies across that end. The load up to x, T(x), is counted
-// from the beginning of the period, u is 0 at problem.origin_of_displacement(), and
+// from the support's left end, u is 0 at problem.origin_of_displacement(), and
 //
 //   u_t'/c = (1/L) PV int t_t cot(pi (x'-x)/L) dx' + gamma (t + P/L).
 

@@ -5,6 +5,7 @@
 
 #include "numeric/number/mapped.hpp"
 #include "numeric/periodic/periodic_solution.hpp"
+#include "numeric/periodic/repeated_contact.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
 
 namespace steadyslide::numeric {
@@ -13,14 +14,6 @@ namespace {
 template <Real R>
 TwoSided<R> on_both_sides(const Estimate<R>& value) {
   return {value, value};
-}
-
-/// Returns x moved by whole periods into [left, left + period[.
-Rational moved_into(const Rational& x, const Rational& left, const Rational& period) {
-  const Rational periods = (x - left) / period;
-  Integer whole = numerator(periods) / denominator(periods);
-  if (periods < Rational(whole)) --whole;
-  return x - Rational(whole) * period;
 }
 
 }  // namespace
@@ -183,9 +176,18 @@ DetailedSample<R> PeriodicSolution<R>::details(const Place& place) const {
   const auto height = [&](const Place& there) { return compliance_ * profile(there.x).first - gap_at(there); };
   result.displacement = height(place) - height(locate(origin));
   result.shear_slope = on_both_sides(shear_slope(place, result));
-  const bool before = place.x < found_.points.front();
-  for (std::size_t k = 0; k < gap() && !before && k < place.arc; ++k) result.cumulative_load += loads()[k];
-  if (!place.is_point && place.arc != gap()) result.cumulative_load += -part(place, Side::left);
+  const auto load_before = [&](const Place& there) {
+    Estimate<R> load;
+    const bool before = there.x < found_.points.front();
+    for (std::size_t k = 0; k < gap() && !before && k < there.arc; ++k) load += loads()[k];
+    if (!there.is_point && there.arc != gap()) load += -part(there, Side::left);
+    return load;
+  };
+  result.cumulative_load = load_before(place);
+  if (const Place left = locate(problem_.indenter().left()); left.x != begin()) {
+    result.cumulative_load = result.cumulative_load - load_before(left);
+    if (place.x < left.x) result.cumulative_load += Estimate<R>{to_real<R>(problem_.load())};
+  }
   const Rational x = moved_into(place.x, problem_.indenter().left(), *problem_.body().period());
   const FrictionProfile& friction = problem_.friction();
   if (x <= problem_.indenter().right())

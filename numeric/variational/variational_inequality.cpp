@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "numeric/periodic/repeated_contact.hpp"
 #include "numeric/variational/variational_solution.hpp"
 
 namespace steadyslide::numeric {
@@ -72,9 +73,10 @@ std::optional<Part> VariationalSolution::penetrated_part(const variational::Disc
   return result;
 }
 
-Attempt<double> variational_inequality(const ContactProblem& problem, const VariationalOptions& options) {
+Attempt<double> variational_inequality(const ContactProblem& given, const VariationalOptions& options) {
   if (options.cells < fewest_cells || options.cells > most_cells) throw std::invalid_argument("number of cells");
-  const Frame frame = variational::support_frame(problem);
+  ContactProblem problem = given;
+  Frame frame = variational::support_frame(problem);
   const auto x = [&](double xi) { return Rational(frame.origin + frame.unit * Rational(xi)); };
   VariationalOptions tried = options;
   Part part = support;
@@ -82,7 +84,13 @@ Attempt<double> variational_inequality(const ContactProblem& problem, const Vari
     const Frame of_part = variational::frame_between(x(part.left), x(part.right));
     return std::make_shared<VariationalSolution>(problem, variational::solve_nested(problem, of_part, tried));
   };
-  const auto located = solved();
+  auto located = solved();
+  const Rational begin = beginning_in_gap(given, located->zones());
+  if (begin != given.indenter().left()) {
+    problem = beginning_at(begin, given);
+    frame = variational::support_frame(problem);
+    located = solved();
+  }
   auto solution = located;
   std::optional<variational::CellProfile> profile;
   std::optional<Part> penetrated;  // of all solutions so far
@@ -118,7 +126,7 @@ Attempt<double> variational_inequality(const ContactProblem& problem, const Vari
   if (problem.elasticity().indenter() && solution->reaches_edge()) {
     return {nullptr, "the contact of an elastic indenter reaches an edge, where the half-plane idealisation fails"};
   }
-  return {std::move(solution), {}};
+  return {repeated(given, begin, std::move(solution)), {}};
 }
 
 }  // namespace steadyslide::numeric

@@ -34,7 +34,8 @@ struct VariationalOptions {
 /// Ends of contact are ends of cells. Their error is one cell if the coarser mesh agrees. Ends that move when the cells
 /// are halved, as beside a strong decrease of s, have a larger error. If the error covers a whole gap, the cells cannot
 /// decide if the gap exists. Intensities are fitted if there are enough cells; otherwise their error is infinite.
-/// Singular points that the cells cannot separate are left out.
+/// Singular points that the cells cannot separate are left out. Periodic contact is solved from a gap on
+/// (repeated_contact.hpp); without a gap it has no ends but those of the period.
 Attempt<double> variational_inequality(const ContactProblem& problem, const VariationalOptions& options = {});
 
 }  // namespace steadyslide::numeric

@@ -61,12 +61,29 @@ VariationalSolution::SingularPlace VariationalSolution::end_place(const Run& run
   return make(boundary, edge, SingularKind::free);
 }
 
+Indenter::Break VariationalSolution::break_between_periods() const {
+  const Indenter& indenter = problem_.indenter();
+  const Rational &left = indenter.left(), &right = indenter.right();
+  const Polynomial &before = indenter.pieces().back().profile, &behind = indenter.pieces().front().profile;
+  return {left, behind(left) - before(right), behind.derivative()(left) - before.derivative()(right)};
+}
+
 void VariationalSolution::find_places() {
   const std::vector<ContactProblem::Piece> pieces = problem_.pieces();
   const auto profile = [this](std::size_t k) -> const Polynomial& { return problem_.indenter().pieces()[k].profile; };
+  if (fills_period_) {
+    const std::size_t last = problem_.friction().jumps().size();
+    const Exponent beta = jump_exponent(problem_.coupled_friction(last), problem_.coupled_friction(0));
+    const auto kind = inner_kind(beta.sign() != 0, break_between_periods().derivative());
+    // Its intensity is not fitted: no cells lie to its left.
+    if (kind) {
+      places_.push_back({edges_.front(), *kind, std::nullopt, {edges_.front(), 0}, Side::left, last, 0, -1, true});
+      if (beta.sign() != 0) places_.back().exponent = beta;
+    }
+  }
   std::size_t next = 1;
   for (const Run& run : runs_) {
-    places_.push_back(end_place(run, End::left));
+    if (!fills_period_) places_.push_back(end_place(run, End::left));
     // Places where two pieces meet strictly inside the run, with a cell of contact on both sides of the cell that
     // contains them.
     const double from = edges_[run.begin] + cell_length();
@@ -88,13 +105,13 @@ void VariationalSolution::find_places() {
       } else if (derivative == 0) {
         place.exponent = Exponent(0);  // the traction neither blows up nor vanishes; the polynomial changes
       }
-      const bool repeated = !places_.back().is_end() && places_.back().x == x;
+      const bool repeated = !places_.empty() && !places_.back().is_end() && places_.back().x == x;
       // Keep the last break of places that double cannot distinguish.
       if (repeated && place.wedge_degree < 0) continue;
       if (repeated) places_.pop_back();
       places_.push_back(place);
     }
-    places_.push_back(end_place(run, End::right));
+    if (!fills_period_) places_.push_back(end_place(run, End::right));
   }
   for (std::size_t k = 0; k < places_.size(); ++k) {
     if (places_[k].is_end()) ends_.push_back(k);
@@ -199,18 +216,24 @@ std::optional<SolvedSingularPoint<double>> VariationalSolution::sharpest_wedge()
   std::optional<SolvedSingularPoint<double>> sharpest;
   const double c = to_real<double>(problem_.elasticity().compliance());
   auto run = runs_.begin();
+  const auto look = [&](const Indenter::Break& at, std::size_t left, std::size_t right) {
+    const Rational s = problem_.coupled_friction(left);
+    if (s != problem_.coupled_friction(right)) return;
+    const double strength = to_real<double>(at.wedge) / (c * to_real<double>(Rational(1 + s * s)));
+    if (sharpest && !(strength > sharpest->intensity.value)) return;
+    const double error = 1e-15 * (std::abs(origin_) + unit_), x = origin_ + unit_ * mesh().place(at.x);
+    sharpest = {{x, error}, SingularKind::wedge, std::nullopt, {strength, 1e-15 * strength}, {}, {}};
+  };
+  const auto is_convex = [](const Indenter::Break& at) { return at.step == 0 && at.wedge > 0; };
+  if (fills_period_ && is_convex(break_between_periods()))
+    look(break_between_periods(), problem_.friction().jumps().size(), 0);
   for (const Indenter::Break& at : problem_.indenter().breaks()) {
-    if (at.step != 0 || at.wedge <= 0) continue;
+    if (!is_convex(at)) continue;
     const double xi = mesh().place(at.x);
     while (run != runs_.end() && mesh().right(run->end - 1) < xi) ++run;
     if (run == runs_.end()) break;
     if (xi < mesh().left(run->begin)) continue;
-    const Rational s = problem_.coupled_friction(problem_.friction().piece(at.x, Side::left));
-    if (s != problem_.coupled_friction(problem_.friction().piece(at.x, Side::right))) continue;
-    const double strength = to_real<double>(at.wedge) / (c * to_real<double>(Rational(1 + s * s)));
-    if (sharpest && !(strength > sharpest->intensity.value)) continue;
-    const double error = 1e-15 * (std::abs(origin_) + unit_);
-    sharpest = {{origin_ + unit_ * xi, error}, SingularKind::wedge, std::nullopt, {strength, 1e-15 * strength}, {}, {}};
+    look(at, problem_.friction().piece(at.x, Side::left), problem_.friction().piece(at.x, Side::right));
   }
   return sharpest;
 }
@@ -230,6 +253,16 @@ std::vector<SolvedSingularPoint<double>> VariationalSolution::singular_points() 
 }
 
 std::vector<ContactComponent<double>> VariationalSolution::contact() const {
+  if (fills_period_) {
+    const Exponent power =
+        jump_exponent(problem_.coupled_friction(problem_.friction().jumps().size()), problem_.coupled_friction(0));
+    const double error = 1e-15 * (std::abs(origin_) + unit_);
+    const auto end = [&](double x, const Estimate<double>& t) {
+      return ContactEnd<double>{
+          {origin_ + x, error}, SingularKind::friction_jump, power, power.sign() == 0 ? -t : unknown};
+    };
+    return {{end(edges_.front(), traction(0)), end(edges_.back(), traction(mesh().size() - 1)), {unit_, error}}};
+  }
   std::vector<ContactComponent<double>> result;
   std::optional<ContactEnd<double>> left;
   for (const SingularPlace& place : places_) {

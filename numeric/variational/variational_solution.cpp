@@ -58,6 +58,8 @@ void VariationalSolution::find_runs() {
     while (i < contact.size() && contact[i]) ++i;
     runs_.push_back({begin, i});
   }
+  fills_period_ = mesh().frame().unit == problem_.body().period() && runs_.size() == 1 &&
+                  runs_.front().end - runs_.front().begin == contact.size();
 }
 
 bool VariationalSolution::reaches_edge() const {

@@ -22,6 +22,12 @@ class VariationalSolution : public ContactSolution<double> {
     std::size_t begin;
     std::size_t end;
   };
+  /// Returns the ends of the runs, without errors.
+  std::vector<std::pair<double, double>> zones() const {
+    std::vector<std::pair<double, double>> result;
+    for (const Run& run : runs_) result.emplace_back(origin_ + edges_[run.begin], origin_ + edges_[run.end]);
+    return result;
+  }
   /// True if the contact reaches an end of the support.
   bool reaches_edge() const;
   /// An interval in xi of the support's frame.
@@ -134,6 +140,8 @@ class VariationalSolution : public ContactSolution<double> {
   /// the gap is in doubt.
   void find_end_errors();
   SingularPlace end_place(const Run& run, End end) const;
+  /// Returns the jumps of the profile where one period meets the next one, at the left end of the cells.
+  Indenter::Break break_between_periods() const;
   variational::FittedIntensity fitted(const SingularPlace& place, const variational::Cells& cells) const;
   SolvedSingularPoint<double> solved_point(const SingularPlace& place) const;
   /// Returns the convex wedge with the strongest logarithm, among the wedges in the contact without a friction jump.
@@ -181,6 +189,7 @@ class VariationalSolution : public ContactSolution<double> {
   std::vector<double> coarse_traction_;
   std::vector<double> displacement_;  ///< B p for each cell
   std::vector<Run> runs_;
+  bool fills_period_ = false;  ///< contact without a gap, which has no ends
   std::vector<SingularPlace> places_;
   std::vector<std::size_t> ends_;  ///< indices into places_, two for each run
   /// For the cells and for the coarser cells.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "model/invalid_data.hpp"
+#include "numeric/periodic/repeated_contact.hpp"
 #include "numeric/variational/lemke.hpp"
 #include "numeric/variational/variational_solution.hpp"
 #include "numeric/wear/run_in.hpp"
@@ -34,17 +35,18 @@ bool is_solution(const variational::MeshSolution& found, double scale) {
          natural_residual(*found.problem, found.found.state) <= variational::complementary_within * scale;
 }
 
+constexpr const char* at_edge =
+    "the contact of an elastic indenter reaches an edge, where the half-plane idealisation fails";
 constexpr const char* not_solved = "the contact on cells is not solved, also not by complementary pivots";
 
 }  // namespace
 
 WearProcess::WearProcess(const ContactProblem& problem, const Wear& wear, std::size_t cells) : problem_(problem) {
-  const Attempt<double> attempt = variational_inequality(problem, {.cells = cells});
-  const auto* solution = dynamic_cast<const VariationalSolution*>(attempt.solution.get());
-  if (solution == nullptr) throw InvalidData(attempt.reason);
-  failed_condition_ = solution->failed_condition();
-  cells_ = solution->found().fine.problem;
-  start_.contact = solution->found().fine.found.state;
+  const VariationalSolution solution(problem, variational::solve_nested(problem, {.cells = cells}));
+  failed_condition_ = solution.failed_condition();
+  cells_ = solution.found().fine.problem;
+  start_.contact = solution.found().fine.found.state;
+  if (is_at_edge(start_.contact.pressure)) throw InvalidData(at_edge);
   start_.depth.resize(cells);
   const variational::CellMesh& mesh = cells_->mesh();
   const Rational& c = problem.elasticity().compliance();
@@ -104,11 +106,13 @@ WearProcess::Step WearProcess::advanced(const WearState& state, double step, int
   }
   const double volume = integral(result.state.depth);
   result.error = volume > 0 ? integral(difference) / volume : 0;
-  const bool at_edge = result.state.contact.pressure.front() > 0 || result.state.contact.pressure.back() > 0;
-  if (problem_.elasticity().indenter() && at_edge) {
-    return {state, 0, "the contact of an elastic indenter reaches an edge, where the half-plane idealisation fails"};
-  }
+  if (is_at_edge(result.state.contact.pressure)) return {state, 0, at_edge};
   return result;
+}
+
+bool WearProcess::is_at_edge(const std::vector<double>& pressure) const {
+  return problem_.elasticity().indenter() && !is_without_edges(problem_) &&
+         (pressure.front() > 0 || pressure.back() > 0);
 }
 
 WearRow WearProcess::row(const WearState& state, double step_error) const {
@@ -116,17 +120,31 @@ WearRow WearProcess::row(const WearState& state, double step_error) const {
   const std::vector<double>& p = state.contact.pressure;
   WearRow row;
   row.distance = state.distance;
-  double last_end = 0, centre = 0, friction = 0, rate = 0, from_run_in = 0;
+  std::vector<std::pair<double, double>> zones;
   for (std::size_t i = 0; i < p.size(); ++i) {
+    if (p[i] == 0) continue;
+    if (i == 0 || p[i - 1] == 0) zones.emplace_back(origin_ + unit_ * mesh.left(i), 0);
+    zones.back().second = origin_ + unit_ * mesh.right(i);
+  }
+  // Repeated contact is read from a gap on, as that of a solution.
+  const Rational& left = problem_.indenter().left();
+  const Rational begin = beginning_in_gap(problem_, zones);
+  const std::size_t first =
+      begin == left ? 0 : mesh.cell_at(mesh.place(moved_into(begin, left, *problem_.body().period())));
+  double last_end = 0, centre = 0, friction = 0, rate = 0, from_run_in = 0;
+  bool touched = false;
+  for (std::size_t j = 0; j < p.size(); ++j) {
+    const std::size_t i = (first + j) % p.size();
+    const double moved = (i < first ? 1.0 : 0.0) - (begin < left ? 1.0 : 0.0);
     const double force = p[i] * mesh.length(i);
-    centre += force * mesh.centre(i);
+    centre += force * (mesh.centre(i) + moved);
     friction += force * friction_[i];
     rate += force * k_[i];
     if (run_in_) from_run_in += std::abs(p[i] - (*run_in_)[i]) * mesh.length(i);
-    if (p[i] == 0) continue;
-    if (row.zones == 0) row.left = origin_ + unit_ * mesh.left(i);
-    if (i == 0 || p[i - 1] == 0) ++row.zones;
-    last_end = mesh.right(i);
+    if (p[i] > 0 && row.zones == 0) row.left = origin_ + unit_ * (mesh.left(i) + moved);
+    if (p[i] > 0 && !touched) ++row.zones;
+    if (p[i] > 0) last_end = mesh.right(i) + moved;
+    touched = p[i] > 0;
   }
   row.right = origin_ + unit_ * last_end;
   row.effective_friction = friction;

@@ -60,6 +60,8 @@ class WearProcess {
  private:
   static std::vector<double> scaled(std::vector<double> values, double factor);
   double integral(const std::vector<double>& values) const;
+  /// True if an elastic indenter touches with an edge.
+  bool is_at_edge(const std::vector<double>& pressure) const;
 
   ContactProblem problem_;
   std::shared_ptr<const variational::DiscreteProblem> cells_;  ///< before any wear

@@ -279,6 +279,31 @@ TEST_CASE("random wear: the volume is the integral of the rate, and the certific
   }));
 }
 
+TEST_CASE("a zone across the end of the period is one zone: the data moved by half a period") {
+  const Indenter flat = one_piece(-1, 1, {0});
+  const auto wave = [&](std::vector<Rational> s, std::vector<Rational> at, const Rational& cosine) {
+    return reduced(std::move(s), std::move(at), flat, 0.02_r)
+        .with_body(Body::periodic(2))
+        .with_indenter(flat.with_harmonics({{1, cosine, 0}}));
+  };
+  const ContactProblem here = wave({0.1_r, 0.4_r}, {0.3_r}, 0.01_r),
+                       there = wave({0.1_r, 0.4_r, 0.1_r}, {-0.7_r, 0}, -0.01_r);
+  const WearProcess a(here, wear_of(here, {1, 2}), 320), b(there, wear_of(there, {1, 2, 1}), 320);
+  const auto compare = [&](const WearState& in_a, const WearState& in_b) {
+    const WearRow p = a.row(in_a, 0), q = b.row(in_b, 0);
+    CHECK(p.zones == 1);
+    CHECK(q.zones == 1);
+    CHECK(p.left + 1 == doctest::Approx(q.left).epsilon(1e-9));
+    CHECK(p.right + 1 == doctest::Approx(q.right).epsilon(1e-9));
+    CHECK(p.centre_of_pressure + 1 == doctest::Approx(q.centre_of_pressure).epsilon(1e-9));
+    CHECK(p.effective_friction == doctest::Approx(q.effective_friction).epsilon(1e-9));
+    CHECK(p.wear_rate == doctest::Approx(q.wear_rate).epsilon(1e-9));
+  };
+  compare(a.start(), b.start());
+  const double step = a.natural_distance() / 4;
+  compare(a.advanced(a.start(), step).state, b.advanced(b.start(), step).state);
+}
+
 TEST_CASE("a body that comes back with a period has no wear of its own") {
   const ContactProblem periodic = three_coatings().with_body(Body::periodic(4));
   CHECK(wear_of(periodic).body() == 0);
