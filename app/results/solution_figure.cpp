@@ -10,6 +10,7 @@
 
 #include "app/embedded.hpp"
 #include "app/terminal/failure.hpp"
+#include "numeric/periodic/repeated_contact.hpp"
 #include "numeric/variational/cell_data.hpp"
 
 namespace steadyslide::app {
@@ -96,9 +97,16 @@ class SolutionFigure {
       stress_unit_ = fmt::format("{}/{}²", enhanced(force), length_unit_);
     }
     const Indenter& shape = problem.contact.indenter();
+    ValueRange drawn{value_of(shape.left()), value_of(shape.right())};
+    // Repeated contact may lie across an end of the support.
+    if (contact_.from < drawn.from || contact_.to > drawn.to) {
+      drawn = {};
+      for (const SolutionText* one : {&solution, &also}) {
+        for (const SampleText& sample : one->curve) drawn.include(value_of(sample.x));
+      }
+    }
     const double margin = 0.6 * contact_.length(), beside = 0.04 * contact_.length();
-    x_ = {std::max(value_of(shape.left()) - beside, contact_.from - margin),
-          std::min(value_of(shape.right()) + beside, contact_.to + margin)};
+    x_ = {std::max(drawn.from - beside, contact_.from - margin), std::min(drawn.to + beside, contact_.to + margin)};
   }
 
   Figure figure() {
@@ -137,7 +145,10 @@ class SolutionFigure {
     const double tilted = solution_.resultants.tilt ? value_of(solution_.resultants.tilt->value) * value_of(x) : 0;
     const Indenter& indenter = problem_.contact.indenter();
     const double waves = numeric::variational::harmonic_sum(problem_.contact, x).height;
-    return value_of(indenter.profile(x, side)(x)) + waves + tilted;
+    const std::optional<Rational>& period = problem_.contact.body().period();
+    const bool beyond = period && (x < indenter.left() || x > indenter.right());
+    const Rational place = beyond ? numeric::moved_into(x, indenter.left(), *period) : x;
+    return value_of(indenter.profile(place, side)(place)) + waves + tilted;
   }
 
   Panel shapes(std::vector<Guide> guides) const {

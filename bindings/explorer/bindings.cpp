@@ -17,7 +17,9 @@
 #include "numeric/bodies/body_contact.hpp"
 #include "numeric/closed_form/closed_form.hpp"
 #include "numeric/interior/interior_stress.hpp"
+#include "numeric/periodic/repeated_contact.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
+#include "numeric/variational/cell_data.hpp"
 
 namespace steadyslide::explorer {
 namespace {
@@ -213,10 +215,14 @@ class Explorer {
   }
 
   double height(double x) const {
+    const Rational& left = problem_->indenter().left();
+    const std::optional<Rational>& period = problem_->body().period();
+    const Rational place = period ? numeric::moved_into(Rational(x), left, *period) : Rational(x);
+    x = numeric::to_real<double>(place);
     double result = 0;
-    const auto& of = problem_->indenter().profile(Rational(x), Side::right).coefficients();
+    const auto& of = problem_->indenter().profile(place, Side::right).coefficients();
     for (std::size_t k = of.size(); k-- > 0;) result = result * x + numeric::to_real<double>(of[k]);
-    return result;
+    return result + numeric::variational::harmonic_sum(*problem_, place).height;
   }
 
   const numeric::InteriorStress<double>& interior() {
