@@ -116,7 +116,8 @@ Rational beginning_in_gap(const ContactProblem& problem, const std::vector<std::
     from = zones[k - 1].second;
     to = zones[k].first;
   }
-  if (!(to > from) || 8 * margin >= to - from) return left;
+  constexpr double rounding = 1e-9;  // cells are longer
+  if (!(to - from > rounding * length) || 8 * margin >= to - from) return left;
   // About the middle, at the end of a cell if there are many.
   const double parts = std::exp2(std::ceil(std::log2(4 * length / (to - from))));
   const double part = std::round(((from + to) / 2 - end) / length * parts);

@@ -189,7 +189,6 @@ class VariationalSolution : public ContactSolution<double> {
   std::vector<double> coarse_traction_;
   std::vector<double> displacement_;  ///< B p for each cell
   std::vector<Run> runs_;
-  bool fills_period_ = false;  ///< contact without a gap, which has no ends
   std::vector<SingularPlace> places_;
   std::vector<std::size_t> ends_;  ///< indices into places_, two for each run
   /// For the cells and for the coarser cells.
@@ -203,6 +202,7 @@ class VariationalSolution : public ContactSolution<double> {
   double mesh_rate_ = 2;
   Once<Estimate<double>> height_at_origin_;
   Once<EstimatedError<double>> estimated_error_;
+  bool fills_period_ = false;  ///< contact without a gap, which has no ends
 };
 
 }  // namespace steadyslide::numeric
