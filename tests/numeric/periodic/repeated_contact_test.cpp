@@ -158,6 +158,10 @@ TEST_CASE("contact without a gap on cells has no edges; the Riemann-Hilbert meth
   CHECK(std::abs(p.effective_friction.value - q.effective_friction.value) <= p.effective_friction.error);
   CHECK(std::abs(p.centre_of_pressure.value - q.centre_of_pressure.value) <= p.centre_of_pressure.error);
   CHECK(contact_on_body(problem).reason == "the repeated contact has no gap, or lengths are out of range");
+  // Its ends are not in a gap by rounding: in double, 0.2 - 0.3 is not -0.1.
+  const ContactProblem tenths = problem.moved(0.15_r, 0.05_r);
+  CHECK(beginning_in_gap(tenths, {{-0.1, 0.2}}) == -0.1_r);
+  CHECK(on_cells(tenths)->equal_cells()->left == -0.1_r);
   // A convex wedge where the pieces meet.
   const ContactProblem roof = periodic(2, {0.1_r}, {}, one_piece(-1, 1, {0, 0, -0.001_r, 0, 0.0003_r}), 2);
   CHECK(on_cells(roof)->contact()[0].left.kind == SingularKind::friction_jump);
