@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 
 #include "library/problem_file/file_error.hpp"
 #include "library/problem_file/input_file.hpp"
@@ -355,6 +356,8 @@ std::vector<PossiblePoint> exponents(const Problem& problem, int digits) {
 }
 
 std::string derivation(const Problem& problem) {
+  static std::mutex deriving;  // GiNaC is not for threads
+  const std::lock_guard lock(deriving);
   std::string text;
   for (const symbolic::Derivation& one : library::derivations(contact_problem(problem))) {
     text += symbolic::to_text(one) + "\n";

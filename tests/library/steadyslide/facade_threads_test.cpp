@@ -1,7 +1,7 @@
-// Four threads solve different problems, and four use one solution, in double and with 50 digits. Their results equal
-// those of one thread. The thread sanitizer checks for data races (preset tsan).
+// Four threads solve different problems, and four use one solution. Their results equal those of one thread. The thread
+// sanitizer checks for data races (preset tsan).
 
-#include <functional>
+#include <optional>
 #include <steadyslide/steadyslide.hpp>
 #include <thread>
 #include <vector>
@@ -12,13 +12,30 @@ using namespace steadyslide;
 
 namespace {
 
-constexpr int thread_count = 4;
-
 ProblemData problem(int k) {
   const std::vector<Exact> loads{"0.1", "0.2", "0.3", "0.4"};
   const std::vector<std::string> profiles{"0", "x^2/2", "x^4", "x^2/2 + x^3/9"};
   const auto index = static_cast<std::size_t>(k);
   return {.load = loads[index], .friction = {"0.1", "0.5"}, .jumps = {0}, .poisson = "0.3", .profile = profiles[index]};
+}
+
+ProblemData on_layer() {
+  ProblemData data = problem(1);
+  data.young = 1;
+  data.layers = {{.thickness = 1, .young = "0.5", .poisson = "0.4"}};
+  return data;
+}
+
+ProblemData periodic() {
+  ProblemData data = problem(1);
+  data.period = 4;
+  return data;
+}
+
+ProblemData worn(int k) {
+  ProblemData data = problem(k);
+  data.wear = {.coefficients = {1}};
+  return data;
 }
 
 struct Answer {
@@ -35,14 +52,16 @@ struct Answer {
   bool operator==(const Answer&) const = default;
 };
 
-std::vector<std::optional<Answer>> at_once(const std::function<Answer(int)>& answer) {
-  std::vector<std::optional<Answer>> found(thread_count);
+template <class Make>
+void check_four_threads(const Make& answer) {
+  constexpr int count = 4;
+  std::vector<std::optional<decltype(answer(0))>> found(count);
   std::vector<std::thread> threads;
-  for (int k = 0; k < thread_count; ++k) {
+  for (int k = 0; k < count; ++k) {
     threads.emplace_back([&, k] { found[static_cast<std::size_t>(k)].emplace(answer(k)); });
   }
   for (std::thread& thread : threads) thread.join();
-  return found;
+  for (int k = 0; k < count; ++k) CHECK(*found[static_cast<std::size_t>(k)] == answer(k));
 }
 
 }  // namespace
@@ -50,15 +69,20 @@ std::vector<std::optional<Answer>> at_once(const std::function<Answer(int)>& ans
 // No code of the library has run before in this program: four threads make its static data at the same time.
 TEST_CASE("four threads solve four problems") {
   for (const int digits : {50, 16}) {
-    const auto answer = [&](int k) { return Answer(solve(problem(k), {.digits = digits})); };
-    const auto found = at_once(answer);
-    for (int k = 0; k < thread_count; ++k) CHECK(*found[static_cast<std::size_t>(k)] == answer(k));
+    check_four_threads([&](int k) { return Answer(solve(problem(k), {.digits = digits})); });
   }
 }
 
+TEST_CASE("four threads solve on cells, wear, prove and derive") {
+  check_four_threads([](int k) { return Answer(solve(problem(k), {.method = "variational", .cells = 256})); });
+  check_four_threads([](int k) { return wear(worn(k), {.distance = "0.01", .steps = 2, .cells = 256}).pressure; });
+  check_four_threads([](int k) { return solve(problem(k)).certify().certificate; });
+  check_four_threads([](int k) { return derivation(problem(k)); });
+}
+
 TEST_CASE("four threads ask one solution") {
-  for (const int digits : {50, 16}) {
-    const Solution solution = solve(problem(1), {.digits = digits});
-    for (const auto& found : at_once([&](int) { return Answer(solution); })) CHECK(*found == Answer(solution));
+  for (const auto& [data, digits] : {std::pair(problem(1), 50), {problem(1), 16}, {on_layer(), 16}, {periodic(), 16}}) {
+    const Solution solution = solve(data, {.digits = digits});
+    check_four_threads([&](int) { return Answer(solution); });
   }
 }
