@@ -16,7 +16,7 @@ function(steadyslide_compile_options target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${STEADYSLIDE_UNITY_BUILD})
   if(STEADYSLIDE_WARNINGS)
     # -Wrestrict of g++ 12 fires on every std::string assignment (GCC bug 105651).
-    target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wno-restrict)
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
     if(STEADYSLIDE_WARNINGS_AS_ERRORS)
       target_compile_options(${target} PRIVATE -Werror)
     endif()
@@ -53,7 +53,7 @@ function(steadyslide_precompile target)
   elseif(STEADYSLIDE_PRECOMPILED_HEADERS)
     target_precompile_headers(${target} PRIVATE ${arg_HEADERS})
   endif()
-  if(STEADYSLIDE_PRECOMPILED_HEADERS AND STEADYSLIDE_WARNINGS)
+  if(STEADYSLIDE_PRECOMPILED_HEADERS AND STEADYSLIDE_WARNINGS AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     # libstdc++ silences these three warnings inside <string> with pragmas. g++ 12 forgets the pragmas when the header
     # is precompiled.
     target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)

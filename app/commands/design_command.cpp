@@ -243,7 +243,7 @@ ExitCode run_design(const Given& given) {
   // Always with 50 digits or more: double loses its last digits to rounding.
   const numeric::Digits digits = std::max(numeric::precision_for(options.digits), numeric::Digits::fifty);
   try {
-    numeric::at_precision(digits, [&]<Real R>() {
+    numeric::at_precision(digits, [&, &problem = problem]<Real R>() {
       Designer<R> designer(wanted, problem.contact, *coatings, rows);
       designer.extremes();
       if (!by_options) designer.given();

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <boost/algorithm/string/replace.hpp>
-#include <ranges>
 
 #include "app/commands/command_line.hpp"
 #include "app/embedded.hpp"
@@ -49,7 +48,8 @@ void write_exponents(const ContactProblem& problem, const CommonOptions& options
 
 /// Returns the help with the names of all kinds.
 std::string help() {
-  const auto names = all_local_terms() | std::views::transform(&LocalTerms::name);
+  std::vector<std::string_view> names;
+  for (const LocalTerms& kind : all_local_terms()) names.push_back(kind.name);
   return boost::replace_all_copy(std::string(embedded::help_exponents), "{kinds}",
                                  fmt::format("{}", fmt::join(names, ", ")));
 }

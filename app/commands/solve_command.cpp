@@ -239,9 +239,9 @@ ExitCode run_solve(const Given& given) {
   const Problem problem = read_problem(given.text("PROBLEM"));
   check_method(options, problem);
   if (options.tolerance) {
-    const auto& [profile, friction] = *options.tolerance;
-    checked(friction == 0 ? "--tolerance-profile" : "--tolerance-friction",
-            [&] { return enclosure::ToleranceBand(problem.contact, profile, friction); });
+    const Tolerance& most = *options.tolerance;
+    checked(most.friction == 0 ? "--tolerance-profile" : "--tolerance-friction",
+            [&] { return enclosure::ToleranceBand(problem.contact, most.profile, most.friction); });
   }
   if (options.both_directions) return solve_both_directions(options, problem);
   return options.load_steps.empty() ? solve_once(options, problem) : follow_loads(options, problem);

@@ -4,13 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <ranges>
 #include <regex>
 #include <vector>
 
 #include "app/embedded.hpp"
 #include "app/html/mathml.hpp"
 #include "app/report/sections.hpp"
+#include "proofs_checks/proof/markdown.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -24,8 +24,7 @@ struct Reference {
 std::vector<Reference> references(std::string_view markdown) {
   std::vector<Reference> found;
   bool inside = false;
-  for (const auto part : std::views::split(markdown, '\n')) {
-    const std::string_view line(part.begin(), part.end());
+  for (const std::string_view line : proofs_checks::parts_of(markdown, "\n")) {
     const std::size_t close = line.find("]**");
     if (line.starts_with("**[") && close != std::string_view::npos) {
       found.push_back({std::string(line.substr(3, close - 3)), std::string(line.substr(close + 3))});

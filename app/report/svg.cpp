@@ -6,7 +6,6 @@
 #include <boost/algorithm/string/erase.hpp>
 #include <boost/algorithm/string/replace.hpp>
 #include <cmath>
-#include <ranges>
 #include <regex>
 #include <sstream>
 #include <vector>
@@ -69,8 +68,8 @@ std::string without_idle_marks(std::string svg) {
   static const std::regex definition(R"(<(?:circle|path|rect|use)\b[^>]*\bid='([^']*)'[^>]*/>\s*)");
   const std::string head = svg.substr(0, svg.find("</defs>"));
   const std::vector<std::smatch> marks(std::sregex_iterator(head.begin(), head.end(), definition), {});
-  for (const std::smatch& mark : marks | std::views::reverse) {
-    if (svg.find("#" + mark.str(1) + "'") == std::string::npos) boost::erase_first(svg, mark.str(0));
+  for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark) {
+    if (svg.find("#" + mark->str(1) + "'") == std::string::npos) boost::erase_first(svg, mark->str(0));
   }
   return svg;
 }

@@ -3,18 +3,16 @@
 
 #include <fmt/format.h>
 
-#include <ranges>
-
 #include "app/html/mathml.hpp"
 #include "app/report/sections.hpp"
+#include "proofs_checks/proof/markdown.hpp"
 
 namespace steadyslide::app {
 
 std::string symbols_html(std::string_view markdown) {
   // A row has the cells symbol, meaning, type in the code, place in the paper, unit.
   HtmlRows rows;
-  for (const auto part : std::views::split(markdown, '\n')) {
-    const std::string_view line(part.begin(), part.end());
+  for (const std::string_view line : proofs_checks::parts_of(markdown, "\n")) {
     if (!line.starts_with("| ")) continue;
     const std::vector<std::string> cells = cells_of_row(line);
     if (cells.size() != 5 || cells.front() == "symbol") continue;

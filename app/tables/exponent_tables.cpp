@@ -1,7 +1,6 @@
 #include "app/tables/exponent_tables.hpp"
 
 #include <algorithm>
-#include <ranges>
 #include <stdexcept>
 
 #include "app/embedded.hpp"
@@ -24,8 +23,7 @@ struct Coatings {
 std::vector<TextTable> given_tables() {
   std::vector<TextTable> tables;
   const std::string_view section = proofs_checks::section_of(embedded::theory_md, "## Exponents in numbers");
-  for (const auto part : std::views::split(section, '\n')) {
-    const std::string line(part.begin(), part.end());
+  for (const std::string& line : proofs_checks::list_of(section, "\n")) {
     if (line.starts_with("### ")) {
       tables.push_back({line.substr(4), "", {}, {}, {}});
     } else if (line.empty() || line.starts_with("| ---")) {

@@ -6,11 +6,11 @@
 #include <boost/algorithm/string/replace.hpp>
 #include <boost/algorithm/string/trim.hpp>
 #include <cctype>
-#include <ranges>
 #include <regex>
 
 #include "app/embedded.hpp"
 #include "app/results/rows.hpp"
+#include "proofs_checks/proof/markdown.hpp"
 #include "symbolic/field/plain_formula.hpp"
 
 namespace steadyslide::app {
@@ -35,8 +35,7 @@ std::string latex_text(const std::string& text) {
   if (is_number(text)) return "$" + text + "$";
   std::string result;
   bool is_formula = false;
-  for (const auto part : std::views::split(text, '`')) {
-    const std::string words(part.begin(), part.end());
+  for (const std::string& words : proofs_checks::list_of(text, "`")) {
     result += is_formula ? "$" + latex_formula(words) + "$" : latex_escaped(words);
     is_formula = !is_formula;
   }
@@ -62,8 +61,8 @@ std::string paragraphs(const std::string& note) {
 
 std::vector<std::string> cells_of_row(std::string_view line) {
   std::vector<std::string> cells;
-  for (const auto part : std::views::split(line.substr(1, line.rfind('|') - 1), '|'))
-    cells.push_back(boost::trim_copy(std::string(part.begin(), part.end())));
+  for (const std::string& cell : proofs_checks::list_of(line.substr(1, line.rfind('|') - 1), "|"))
+    cells.push_back(boost::trim_copy(cell));
   return cells;
 }
 

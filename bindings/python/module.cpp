@@ -115,7 +115,7 @@ std::array<std::optional<ss::Number>, 11> components(const ss::Stress& s) {
 
 /// Returns values and errors of each stress component; None if there is none.
 py::list stresses(const ss::Solution& solution, const Array& x, const Array& z) {
-  const auto [places, depths] = std::pair(span_of(x), span_of(z));
+  const auto places = span_of(x), depths = span_of(z);
   const std::vector<ss::Stress> states = released([&] { return solution.stress(places, depths); });
   py::list list;
   for (std::size_t k = 0; k < components({}).size(); ++k) {

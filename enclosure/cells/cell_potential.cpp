@@ -123,7 +123,7 @@ CellPotential::CellPotential(const CellPressures& pressures, Bits fraction) : ri
   // Node m lies at the cell's left end or left of it for d = i - m >= 0, at its right end for d = -1.
   const auto beyond = [](long d) { return d >= 0 ? size(d) : size(d) - 1; };
   const auto far = [&](const auto& f) {
-    return [&logs, &beyond, f](long d) {
+    return [&beyond, f](long d) {
       const std::size_t k = beyond(d);
       return k < near ? Ball(0) : f(d, k);
     };

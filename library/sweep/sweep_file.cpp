@@ -29,7 +29,7 @@ struct PlacedAxis {
 
 class SweepReader {
  public:
-  SweepReader(const Value& root, const std::string& name) : root_(root), name_(name), reader_(root, name, "a sweep") {}
+  SweepReader(const Value& root, const std::string& name) : name_(name), reader_(root, name, "a sweep") {}
 
   SweepFile read(std::string_view text) {
     reader_.check_keys("", {"problem", "vary", "together", "output", "solve"});
@@ -195,7 +195,6 @@ class SweepReader {
     throw reader_.error("solve." + key, "out of range", rule, to_string(*number));
   }
 
-  const Value& root_;
   const std::string& name_;
   ProblemReader reader_;
 };

@@ -1,6 +1,7 @@
 #pragma once
 // Makes a vector from the elements of a range.
 
+#include <cstddef>
 #include <type_traits>
 #include <vector>
 
@@ -10,7 +11,7 @@ namespace steadyslide::numeric {
 template <class Range, class F>
 auto mapped(const Range& range, const F& f) {
   std::vector<std::decay_t<decltype(f(*range.begin()))>> result;
-  result.reserve(range.size());
+  result.reserve(static_cast<std::size_t>(range.size()));
   for (const auto& element : range) result.push_back(f(element));
   return result;
 }

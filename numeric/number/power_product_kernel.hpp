@@ -77,23 +77,23 @@ class PowerProductKernel {
     return result;
   }
 
-  template <int vectors>
+  template <std::size_t vectors>
   void block(const double* left, const double* right, double* values) const {
     Sum sums[vectors];
     add<vectors>(sums, task_.of_left, task_.left_factors, left);
     add<vectors>(sums, task_.of_right, task_.right_factors, right);
-    for (int v = 0; v < vectors; ++v) {
+    for (std::size_t v = 0; v < vectors; ++v) {
       const Real value = power_of_two(sums[v]);
       __builtin_memcpy(values + v * lanes, &value, sizeof value);
     }
   }
 
-  template <int vectors>
+  template <std::size_t vectors>
   void add(Sum (&sums)[vectors], const double* factor, std::size_t count, const double* distances) const {
     for (std::size_t done = 0; done < count;) {
       const std::size_t until = count - done > 8 ? done + 8 : count;
       for (; done < until; ++done, factor += 4) {
-        for (int v = 0; v < vectors; ++v) add(sums[v], load(distances + v * lanes) + all(factor[0]), factor);
+        for (std::size_t v = 0; v < vectors; ++v) add(sums[v], load(distances + v * lanes) + all(factor[0]), factor);
       }
       for (Sum& sum : sums) carry(sum);
     }

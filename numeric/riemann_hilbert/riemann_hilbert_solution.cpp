@@ -266,7 +266,7 @@ const std::vector<Estimate<R>>& RiemannHilbertSolution<R>::loads() const {
     // whole solve.
     constexpr std::size_t many = 1000;
     const bool samples = !std::same_as<R, double> || contact_set().contact_segments().size() > many;
-    const auto load_on = [this, samples](std::size_t segment, std::size_t panel) -> Estimate<R> {
+    const auto load_on = [&](std::size_t segment, std::size_t panel) -> Estimate<R> {
       if (samples) {
         if (const auto load = check().panel_integral(panel)) return *load;
       }

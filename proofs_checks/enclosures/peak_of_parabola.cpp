@@ -2,8 +2,6 @@
 // alpha = arctan(s)/pi. The interval is divided into pieces. The balls c_0, ..., c_4 contain the coefficients at every
 // point of a piece. |c_4| <= 1/20 is decided.
 
-#include <array>
-
 #include "enclosure/number/ball.hpp"
 #include "proofs_checks/enclosures/enclosure_list.hpp"
 
@@ -14,7 +12,12 @@ using enclosure::Ball;
 
 constexpr enclosure::Bits peak_bits = 64;
 constexpr int peak_order = 4;
-using Taylor = std::array<Ball, peak_order + 1>;
+
+struct Taylor {
+  Ball coefficients[peak_order + 1];
+  Ball& operator[](int k) { return coefficients[k]; }
+  const Ball& operator[](int k) const { return coefficients[k]; }
+};
 
 Taylor taylor_product(const Taylor& f, const Taylor& g) {
   Taylor h;

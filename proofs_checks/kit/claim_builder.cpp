@@ -51,7 +51,7 @@ class Runner {
     const Context context{digits_at(claim_.precision, asked), asked.seed, asked.quick};
     const auto [tolerance_there, step] = numeric::at_precision(
         context.digits, []<numeric::Real R>() { return std::pair(tolerance<R>(), Number(near_miss<R>())); });
-    return gather([&] {
+    return gather([&, tolerance_there = tolerance_there, step = step] {
       const Examples& examples = examples_of(source, context);
       std::vector<Quantity> quantities = text_.compared;
       for (Quantity& quantity : quantities) {

@@ -245,13 +245,13 @@ auto one_value(std::string name, F f) {
 /// by a factor: a number, or factor(case).
 template <class Factor>
 auto scaled(std::vector<std::string> names, Factor factor) {
-  return [names = std::move(names), factor = std::move(factor)](Values& p, const auto& c) {
-    if constexpr (std::is_invocable_v<const Factor&, decltype(c)>) {
+  if constexpr (std::is_constructible_v<Number, Factor>) {
+    return [names = std::move(names), factor = Number(factor)](Values& p, const auto&) { p.scale(names, factor); };
+  } else {
+    return [names = std::move(names), factor = std::move(factor)](Values& p, const auto& c) {
       p.scale(names, Number(factor(c)));
-    } else {
-      p.scale(names, Number(factor));
-    }
-  };
+    };
+  }
 }
 /// Returns a change of a prediction that replaces the values with the same names, if present.
 inline auto replaced(Values values) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <ranges>
 #include <stdexcept>
 
 #include "proofs_checks/kit/registry.hpp"
@@ -63,8 +62,7 @@ ClaimText parse_claim_text(std::string_view document) {
        {"Convergence", &text.convergence},
        {"Beyond calculation", &text.beyond_calculation},
        {"Checked in its place", &in_its_place}}};
-  for (const auto characters : std::views::split(document, '\n')) {
-    std::string_view line(characters.begin(), characters.end());
+  for (std::string_view line : parts_of(document, "\n")) {
     if (line.starts_with("# ") && line.find(": ") != std::string_view::npos) {
       text.id = line.substr(2, line.find(": ") - 2);
       text.source = line.substr(line.find(": ") + 2);

@@ -129,7 +129,7 @@ std::vector<Instance> InstanceFamily::instances(std::size_t count) const {
     instance.functions = functions;
     bool kept = true;
     for (const auto& [kind, name, formulas, with_from, with_to] : quantities_) {
-      const auto value = [&](std::size_t k) { return formulas[k].value(instance); };
+      const auto value = [&, &formulas = formulas](std::size_t k) { return formulas[k].value(instance); };
       switch (kind) {
         case Quantity::Kind::value: instance.numbers[name] = value(0); break;
         case Quantity::Kind::choice: instance.numbers[name] = value(draw.below(formulas.size())); break;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/trim.hpp>
-#include <ranges>
 #include <stdexcept>
 
 namespace steadyslide::proofs_checks {
@@ -37,10 +36,18 @@ bool is_rule_of_table(std::string_view row) {
   return row.starts_with("|-") || row.starts_with("|:") || row.starts_with("| -");
 }
 
-std::vector<std::string> list_of(std::string_view text, std::string_view separator) {
-  std::vector<std::string> parts;
-  for (const auto part : std::views::split(text, separator)) parts.emplace_back(part.begin(), part.end());
+std::vector<std::string_view> parts_of(std::string_view text, std::string_view separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t from = 0; !text.empty() && from <= text.size();) {
+    parts.push_back(text.substr(from, text.find(separator, from) - from));
+    from += parts.back().size() + separator.size();
+  }
   return parts;
+}
+
+std::vector<std::string> list_of(std::string_view text, std::string_view separator) {
+  const std::vector<std::string_view> parts = parts_of(text, separator);
+  return {parts.begin(), parts.end()};
 }
 
 std::vector<std::string> items_of(std::string_view text) {

@@ -17,7 +17,8 @@ std::vector<std::string> cells_of(std::string_view row);
 /// True for the line between a table's heading and its rows: "|---|:-:|".
 bool is_rule_of_table(std::string_view row);
 
-/// Returns the parts between the separators.
+/// Returns the parts between the separators; none of an empty text.
+std::vector<std::string_view> parts_of(std::string_view text, std::string_view separator);
 std::vector<std::string> list_of(std::string_view text, std::string_view separator);
 
 /// Returns the items of a list such as "a(b, c), `d`, e in [0, 1[". Commas within brackets or quotation marks do not

@@ -4,7 +4,6 @@
 #include <array>
 #include <boost/algorithm/string/join.hpp>
 #include <iterator>
-#include <ranges>
 #include <set>
 #include <stdexcept>
 
@@ -203,7 +202,7 @@ class Reader {
 Theory::Theory(std::span<const std::string_view> documents) {
   for (const std::string_view document : documents) {
     Reader reader(*this);
-    for (const auto line : std::views::split(document, '\n')) reader.read({line.begin(), line.end()});
+    for (const std::string_view line : parts_of(document, "\n")) reader.read(line);
   }
   const auto all_declared = [&](const std::vector<Fact>& facts) {
     for (const Fact& fact : facts) require_declared(fact, true);

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <ranges>
 #include <string>
+
+#include "proofs_checks/proof/markdown.hpp"
 
 namespace steadyslide::proofs_checks {
 
@@ -15,8 +16,7 @@ extern const std::string_view paper_statements_md;
 const std::vector<PaperStatement>& paper_statements() {
   static const std::vector<PaperStatement> all = [] {
     std::vector<PaperStatement> statements;
-    for (const auto part : std::views::split(embedded::paper_statements_md, '\n')) {
-      const std::string_view line(part.begin(), part.end());
+    for (const std::string_view line : parts_of(embedded::paper_statements_md, "\n")) {
       if (line.empty()) continue;
       const std::size_t colon = line.find(": ");
       const std::string_view head = line.substr(0, colon);
@@ -32,8 +32,8 @@ const std::vector<PaperStatement>& paper_statements() {
         statements.back().reconstructed = rest == "reconstructed";
       } else if (head == "  claims" || head == "  instances") {
         PaperStatement& last = statements.back();
-        for (const auto id : std::views::split(rest, std::string_view(", "))) {
-          (head == "  claims" ? last.claims : last.instances).emplace_back(id.begin(), id.end());
+        for (const std::string_view id : parts_of(rest, ", ")) {
+          (head == "  claims" ? last.claims : last.instances).push_back(id);
         }
       }
     }

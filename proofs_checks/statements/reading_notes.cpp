@@ -5,9 +5,9 @@
 #include <boost/algorithm/string/join.hpp>
 #include <boost/algorithm/string/replace.hpp>
 #include <map>
-#include <ranges>
 #include <regex>
 
+#include "proofs_checks/proof/markdown.hpp"
 #include "symbolic/statements/statements.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -40,8 +40,7 @@ std::pair<std::string, std::string> divided(const std::string& text, std::string
 std::vector<Entry> entries() {
   std::vector<Entry> all;
   std::string* part = nullptr;
-  for (const auto words : std::views::split(embedded::reading_notes_md, '\n')) {
-    const std::string_view line(words.begin(), words.end());
+  for (const std::string_view line : parts_of(embedded::reading_notes_md, "\n")) {
     if (line.starts_with("## ")) {
       const auto [id, place] = divided(std::string(line.substr(3)), ": ");
       all.push_back({id, place, {}});

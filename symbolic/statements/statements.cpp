@@ -29,10 +29,11 @@ std::vector<DecidedStatement> elasticity_statements() {
   const auto add = [&](const std::string& name, std::size_t arguments, const auto& value) {
     functions.emplace(name, WrittenFunction{arguments, value});
   };
-  for (const auto& [name, plane] : {std::pair("_strain", Plane::strain), {"_stress", Plane::stress}}) {
-    add("gamma" + std::string(name), 1, [=](const Arguments& a) { return coupling_constant(a[0], plane); });
-    add("kappa" + std::string(name), 1, [=](const Arguments& a) { return kolosov_solid(a[0], 1, plane).kappa; });
-    add("compliance" + std::string(name), 2, [=](const Arguments& a) { return compliance(a[0], a[1], plane); });
+  for (const Plane plane : {Plane::strain, Plane::stress}) {
+    const std::string name = plane == Plane::strain ? "_strain" : "_stress";
+    add("gamma" + name, 1, [=](const Arguments& a) { return coupling_constant(a[0], plane); });
+    add("kappa" + name, 1, [=](const Arguments& a) { return kolosov_solid(a[0], 1, plane).kappa; });
+    add("compliance" + name, 2, [=](const Arguments& a) { return compliance(a[0], a[1], plane); });
   }
   return written_statements(embedded::elasticity_txt, {}, functions);
 }

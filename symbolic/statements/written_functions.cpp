@@ -1,6 +1,7 @@
 #include "symbolic/statements/written_functions.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "symbolic/field/rational_function.hpp"
 #include "symbolic/local/polynomial_slope.hpp"
@@ -64,7 +65,7 @@ PolynomialSlope polynomial_slope(const Arguments& a) { return {integer(a[0]), en
 }  // namespace
 
 WrittenFunctions plain_functions() {
-  constexpr std::size_t any = -1;
+  constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
   const auto replaced = [](const Arguments& a, bool squares) {
     GiNaC::lst equations;
     for (std::size_t k = 1; k + 1 < a.size(); k += 2) equations.append((squares ? a[k] * a[k] : a[k]) == a[k + 1]);

@@ -50,12 +50,12 @@ double stationary(const Coatings& coatings) {
 
 /// Returns the most extreme s_eff of layouts with two to ten strips, among them those with a single jump.
 double most_extreme(const Coatings& coatings, std::size_t count) {
-  const auto& [name, outer, inner, share] = coatings;
   Random random(1, "flat-punch-extreme-layouts");
   double most = -1e300;
   const auto look_at = [&](const std::vector<Rational>& lengths, bool outer_first) {
     Rational sum[2] = {0, 0};
     for (std::size_t k = 0; k < lengths.size(); ++k) sum[k % 2] += lengths[k];
+    const auto& [name, outer, inner, share] = coatings;
     std::vector<Rational> s, jumps;
     Rational at = -1;
     for (std::size_t k = 0; k < lengths.size(); ++k) {

@@ -10,7 +10,6 @@
 // -e_i give an independent check.
 
 #include <algorithm>
-#include <ranges>
 #include <vector>
 
 #include "proofs_checks/kit/random.hpp"
@@ -28,7 +27,10 @@ struct ContactForces {
   /// True if holds(i) is true for every node i.
   template <class Holds>
   bool all_nodes(const Holds& holds) const {
-    return std::ranges::all_of(std::views::iota(std::size_t{0}, size()), holds);
+    for (std::size_t i = 0; i < size(); ++i) {
+      if (!holds(i)) return false;
+    }
+    return true;
   }
   /// True if q is in K_0'.
   bool is_admissible() const {
