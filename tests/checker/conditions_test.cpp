@@ -123,7 +123,7 @@ TEST_CASE("B_k and its derivative with few bits enclose what they are with many"
   const TractionRepresentation fine(contact, example.v, example.problem.loads, 100);
   for (const slong bits : {4, 6, 8, 12, 16}) {
     const TractionRepresentation coarse(contact, example.v, example.problem.loads, bits);
-    for (const std::size_t segment : {0, 4, 5, 8}) {
+    for (const std::size_t segment : {0U, 4U, 5U, 8U}) {
       for (const double part : {0.01, 0.1, 0.5, 0.9, 0.99}) {
         const Ball length = contact.length(segment);
         const SurfacePoint place{segment, segment + 1, length * Ball(part), length - length * Ball(part)};
@@ -138,7 +138,7 @@ TEST_CASE("B_k and its derivative with few bits enclose what they are with many"
         }
       }
     }
-    for (const std::size_t j : {0, 1}) CHECK(coarse.moments(2)[j].contains_inside(fine.moments(2)[j]));
+    for (const std::size_t j : {0U, 1U}) CHECK(coarse.moments(2)[j].contains_inside(fine.moments(2)[j]));
   }
 }
 
@@ -149,7 +149,7 @@ TEST_CASE("polynomials in place of B_k enclose it between and at the places that
   const TractionRepresentation coarse(contact, example.v, example.problem.loads, 4);
   // With many bits, the error of the polynomial dominates; for an exact polynomial, that of the rules.
   for (const auto& [form, bits] : {std::pair(&fine, 1), {&fine, 4}, {&fine, 8}, {&fine, 60}, {&coarse, 60}}) {
-    for (const std::size_t segment : {0, 4, 5, 8}) {
+    for (const std::size_t segment : {0U, 4U, 5U, 8U}) {
       for (const std::size_t k : {contact.slope_of(1), contact.slope_of(3), contact.slope_of(7)}) {
         for (const double from : {0.0, 0.25, 0.5, 0.6875, 0.8125}) {
           const auto at = [&](double part) {
@@ -159,7 +159,7 @@ TEST_CASE("polynomials in place of B_k enclose it between and at the places that
           const auto found = Interpolant::of(*form, bits, k, at(from), contact.length(segment) * Ball(0.1875));
           if (!found) continue;
           for (const double y : {-1.0, -0.875, -0.25, 0.0, 0.375, 0.75, 1.0}) {
-            INFO("bits = ", bits, ", segment = ", segment, ", from = ", from, ", y = ", y);
+            INFO("segment = ", segment, ", from = ", from, ", y = ", y);
             const SurfacePoint place = at(from + 0.09375 * (1 + y));
             const Ball exact = fine.regular(k, place).value;
             CHECK(horner(found->polynomial(), Ball(y)).widened(found->rest()).contains_inside(exact));

@@ -135,7 +135,7 @@ TEST_CASE("Krawczyk's image of conditions whose sizes are far apart") {
   const auto image = [&](const Ball& F) {
     return krawczyk_image(V, {F * large, F}, {{Ball(1), large, Ball()}, {Ball(1), Ball(1), Ball()}}, Ball(), 100);
   };
-  for (const std::size_t i : {0, 1}) CHECK(V[i].contains_inside(image(Ball(0.125).rounded(100))[i]));
+  for (const std::size_t i : {0U, 1U}) CHECK(V[i].contains_inside(image(Ball(0.125).rounded(100))[i]));
   CHECK_FALSE(V[1].contains_inside(image(Ball(0.375).rounded(100))[1]));
 }
 

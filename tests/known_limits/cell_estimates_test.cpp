@@ -11,7 +11,7 @@ TEST_CASE("the first forty, and those whose estimates have been too small") {
   // 177, 373, 588: the last two meshes agree by chance, and the error is up to 281 times larger than their difference.
   // 106, 420, 516, 560: the same with smaller factors. 156, 1868: contact reaches across a jump by less than a cell.
   // 758, 4032: two jumps within a cell, under strong friction.
-  for (const std::uint64_t i : {106, 156, 177, 373, 420, 516, 560, 588, 758, 1868, 4032}) {
+  for (const std::uint64_t i : {106U, 156U, 177U, 373U, 420U, 516U, 560U, 588U, 758U, 1868U, 4032U}) {
     audit_cell_estimates(first_listed_seed + i, 4096, audit);
   }
   MESSAGE(audit.text());
@@ -21,7 +21,7 @@ TEST_CASE("the first forty, and those whose estimates have been too small") {
 
 TEST_CASE("zones of few cells: how load is shared is not known") {
   EstimateAudit audit;
-  for (const std::uint64_t i : {311, 492, 539, 1124}) audit_cell_estimates(first_listed_seed + i, 512, audit);
+  for (const std::uint64_t i : {311U, 492U, 539U, 1124U}) audit_cell_estimates(first_listed_seed + i, 512, audit);
   for (const std::string& line : audit.dishonest) FAIL_CHECK(line);
   CHECK(audit.compared == 4);
 }

@@ -14,7 +14,8 @@ TEST_CASE("the first eight, and those whose estimates have been too small") {
   // displacements in the contact of a profile of high degree. 48: slopes of the tangential displacement; their
   // integrals do not know the traction's error either. 520, 1708: tangential slopes at jumps where t vanishes, but its
   // rounding error does not; the powers are 2e-4 and 0.18.
-  for (const std::uint64_t i : {0, 1, 2, 3, 4, 5, 6, 7, 5606, 4360, 6829, 9274, 4428, 4921, 36, 8, 48, 520, 1708}) {
+  for (const std::uint64_t i :
+       {0U, 1U, 2U, 3U, 4U, 5U, 6U, 7U, 5606U, 4360U, 6829U, 9274U, 4428U, 4921U, 36U, 8U, 48U, 520U, 1708U}) {
     audit_estimates(first_listed_seed + i, audit);
   }
   MESSAGE(audit.text());
@@ -59,11 +60,11 @@ TEST_CASE("two problems of each family") {
   for (const auto& [family, name] : contact_families) {
     // Their 50 digits take a minute. Run error_estimates many-wedges FIRST COUNT for them.
     if (family == ContactFamily::usual || family == ContactFamily::many_wedges) continue;
-    for (const std::uint64_t i : {0, 1}) audit_estimates(first_listed_seed + i, audit, family);
+    for (const std::uint64_t i : {0U, 1U}) audit_estimates(first_listed_seed + i, audit, family);
   }
   // 7: the shear beside a wedge, where all digits of the pressure are known. 5168: slopes in the contact, at places
   // that rounding shifts.
-  for (const std::uint64_t i : {7, 5168}) {
+  for (const std::uint64_t i : {7U, 5168U}) {
     audit_estimates(first_listed_seed + i, audit, ContactFamily::neighbouring_frictions);
   }
   // Two zones with the same largest pressure.

@@ -99,7 +99,8 @@ const std::vector<Rational> lopsided{0, 0.1_r, -1, 0.2_r, 1};
 TEST_CASE("Chebyshev's densities have the energy 1/(2 pi n), to the first power of the cells' length") {
   // int T_n(y) log|x-y|/sqrt(1-y^2) dy = -(pi/n) T_n(x); a jump of s at 0 adds half of it times sin^2(n pi/2)/(n pi)^2.
   for (const int n : {1, 2, 3}) {
-    for (const auto& [left, right] : {std::pair(0, 0), {0, 10}, {10, 0}}) {
+    for (const auto& s : {std::pair(0, 0), {0, 10}, {10, 0}}) {
+      const auto left = s.first, right = s.second;
       CAPTURE(n);
       CAPTURE(right - left);
       const double jump = (right - left) / 10.0 * std::pow(std::sin(n * pi / 2) / (n * pi), 2) / 2;
@@ -115,7 +116,8 @@ TEST_CASE("Chebyshev's densities have the energy 1/(2 pi n), to the first power 
 }
 
 TEST_CASE("on equal cells every punch presses everywhere and penetrates nothing, for s up to 1/2") {
-  for (const auto& [left, right] : {std::pair(0, 0), {5, 5}, {0, 5}, {5, 0}, {2, 4}}) {
+  for (const auto& s : {std::pair(0, 0), {5, 5}, {0, 5}, {5, 0}, {2, 4}}) {
+    const auto left = s.first, right = s.second;
     INFO("left = ", left, ", right = ", right);
     const Punch punch = worst_punch(on_cells(problem_of(left, right, parabola, 1), 10).galerkin_operator());
     CHECK(punch.least_pressure > 0);
@@ -134,7 +136,8 @@ TEST_CASE("on equal cells every punch presses everywhere and penetrates nothing,
 }
 
 TEST_CASE("of all sets of eight cells one is complementary, where s rises and where it falls by 1/2") {
-  for (const auto& [left, right] : {std::pair(0, 0), {0, 5}, {5, 0}, {0, 50}, {20, 30}}) {
+  for (const auto& s : {std::pair(0, 0), {0, 5}, {5, 0}, {0, 50}, {20, 30}}) {
+    const auto left = s.first, right = s.second;
     for (const auto& profile : {parabola, two_bumps, lopsided}) {
       for (const Rational& load : {0.1_r, 0.5_r, 3_r}) {
         INFO("left = ", left, ", right = ", right);

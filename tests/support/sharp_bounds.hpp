@@ -60,12 +60,12 @@ inline void check_sharp_bounds(const std::string& test, const std::vector<SharpC
   for (const BoundRow& row : rows) {
     if (row.test == test && row.sharpness > 0) listed.push_back(row.bound);
   }
-  for (const auto& [bound, measure] : cases) {
-    const double ratio = measure();
-    INFO(bound, ": the true error is ", ratio, " of the bound");
-    measured.push_back(bound);
+  for (const SharpCase& c : cases) {
+    const double ratio = c.measure();
+    INFO(c.bound, ": the true error is ", ratio, " of the bound");
+    measured.push_back(c.bound);
     CHECK(ratio <= 1);
-    const auto row = std::find_if(rows.begin(), rows.end(), [&](const BoundRow& r) { return r.bound == bound; });
+    const auto row = std::find_if(rows.begin(), rows.end(), [&](const BoundRow& r) { return r.bound == c.bound; });
     if (row == rows.end()) {
       FAIL_CHECK("docs/bounds.csv does not list it");
       continue;

@@ -89,7 +89,9 @@ int check_answers(const std::string& command_name, const std::string& file, cons
       }
     }
   }
-  for (const auto& [line, parts] : expected) {
+  for (const auto& of_line : expected) {
+    const std::string& line = of_line.first;
+    const std::vector<std::string>& parts = of_line.second;
     CAPTURE(line);
     const Finished answer = run_program(arguments_of(line), folder);
     const auto said = [&](const char* what) {

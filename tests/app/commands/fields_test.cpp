@@ -129,7 +129,6 @@ TEST_CASE("with a proof the text calls the largest stress a lower bound") {
       "[indenter]\nprofile = \"x^2/2\"\n";
   for (const auto& [problem, place] :
        {std::pair(smooth, "z = 0."), {replaced(smooth, "[0]", "[0.9]"), "z = 2e-15"}, {coated, "z = 0.02"}}) {
-    CAPTURE(problem);
     const Json found = fields_of({"--max-stress"}, problem).at("largest_stress");
     const Json proved = fields_of({"--max-stress", "--certify"}, problem).at("largest_stress");
     CHECK(proved.at("proved") == "lower bound");
@@ -168,7 +167,7 @@ TEST_CASE("displacements: u at the surface, its sign, its zero, and both directi
         joined(files, {"--method", method, "--at=0,0.5,-2", "--stress-at", "points.csv", "--format", "json"}))));
     const Json &moved = json["displacements"], &stress = json["stresses"];
     REQUIRE(moved.size() == 5);
-    for (const std::size_t k : {0, 1, 2}) {
+    for (const std::size_t k : {0U, 1U, 2U}) {
       const double u = real_at(json["samples"][k], "u");
       CHECK(std::abs(real_at(moved[k], "uz") + u) <=
             error_at(moved[k], "uz") + error_at(json["samples"][k], "u") + 1e-14);

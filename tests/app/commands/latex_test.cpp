@@ -40,7 +40,8 @@ void check_notation(const std::string& document) {
   for (const auto& [text, wrong] : {std::pair(prose, in_prose), {formulas, in_formulas}}) {
     std::smatch match;
     const bool found = std::regex_search(text, match, wrong);
-    CHECK_MESSAGE(!found, match.prefix().str().substr(std::max(match.prefix().length(), 60L) - 60)
+    const std::string before = match.prefix();
+    CHECK_MESSAGE(!found, before.substr(before.size() - std::min<std::size_t>(before.size(), 60))
                               << " >> " << match.str());
   }
   CHECK(holds(formulas, "\\lambda"));

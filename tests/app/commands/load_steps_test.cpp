@@ -31,8 +31,9 @@ TEST_CASE("each row has the results of a single solve, for every order of the lo
     for (const Json& row : solve_steps(bumps, loads, {"--digits", digits}))
       by_load[text_of(row["load"])].push_back(row);
     CHECK(by_load.size() == count);
-    for (const auto& [load, rows] : by_load) {
-      CAPTURE(load);
+    for (const auto& of_load : by_load) {
+      CAPTURE(of_load.first);
+      const auto& [load, rows] = of_load;
       const Json single = solve(replaced(bumps, "load = 1", "load = \"" + load + '"'), {"--digits", digits});
       REQUIRE(single["contact"].size() == rows.size());
       for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -44,7 +45,7 @@ TEST_CASE("each row has the results of a single solve, for every order of the lo
         for (const char* key : {"effective_friction", "centre_of_pressure"}) {
           CHECK(near(single["resultants"][key], rows[k][key], tolerance));
         }
-        for (const std::size_t i : {0, 1}) {
+        for (const std::size_t i : {0U, 1U}) {
           CHECK(near(single["resultants"]["load_share"][i], rows[k]["load_share"][i], tolerance));
         }
       }

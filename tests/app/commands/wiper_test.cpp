@@ -20,7 +20,7 @@ TEST_CASE("a measured wiper on few cells, on many, and to an accuracy: all numbe
     for (const char* key : {"friction_force", "effective_friction", "centre_of_pressure", "largest_average"}) {
       agree(found["resultants"][key], finest["resultants"][key], key);
     }
-    for (const std::size_t k : {0, 1}) {
+    for (const std::size_t k : {0U, 1U}) {
       agree(found["resultants"]["load_share"][k], finest["resultants"]["load_share"][k], "load share");
     }
     agree(found["largest_stress"]["von_mises"], finest["largest_stress"]["von_mises"], "von Mises");

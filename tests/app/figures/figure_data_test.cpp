@@ -112,7 +112,7 @@ TEST_CASE("contact zones agree with solve, and end b moves as derived") {
     CHECK(value_after(text, "from x = ") == doctest::Approx(rear[80].y).epsilon(1e-9));
     CHECK(value_after(text, " to x = ") == doctest::Approx(p.y).epsilon(1e-9));
     // db/dP = c/(pi (1/2 + alpha)(b - a)), before and after the jump.
-    for (const std::size_t i : {20, 90}) {
+    for (const std::size_t i : {20U, 90U}) {
       const double rate = (front[i + 1].y - front[i - 1].y) / (front[i + 1].x - front[i - 1].x);
       const bool before = front[i].y < 0.15;
       CHECK(before == (i == 20));
@@ -134,7 +134,7 @@ TEST_CASE("contact zones agree with solve, and end b moves as derived") {
 
 TEST_CASE("effective friction agrees with solve, and not with the mean") {
   const Figure& figure = made("effective-friction");
-  for (const std::size_t direction : {0, 1}) {
+  for (const std::size_t direction : {0U, 1U}) {
     const Point& p = figure.panels[0].series[2 * direction].points[60];
     const GivenProblem given{"0.2", "0.1, 1", fmt::format("\"{:.17g}\"", p.x), "0", "1", direction == 0 ? "+x" : "-x"};
     CHECK(value_after(solve_answer(given), "effective friction") == doctest::Approx(p.y).epsilon(1e-9));
@@ -156,7 +156,7 @@ TEST_CASE("both solvers converge as derived") {
     CHECK(-log_slope(cells[2 * k + 1].points[0], cells[2 * k + 1].points[1]) == doctest::Approx(derived[k]));
   }
   const std::vector<Series>& rules = figure.panels[1].series;
-  for (const std::size_t k : {0, 1}) {
+  for (const std::size_t k : {0U, 1U}) {
     const std::vector<Point>& marks = rules[k].points;
     const double rate = std::log(marks[13].y / marks[3].y) / (marks[13].x - marks[3].x);
     CHECK(rate == doctest::Approx(-2 * std::log(3 + std::sqrt(8.0))).epsilon(0.05));
@@ -183,12 +183,12 @@ TEST_CASE("the stress map reaches the tractions at the surface") {
   CHECK(holds(figure.caption, "at most " + decimal(std::ceil(1e4 * near) / 1e4, 4)));
   CHECK(map.values.size() == map.x.size() * map.y.size());
   const std::size_t row = 40;
-  for (const std::size_t i : {10, 150, 200}) {
+  for (const std::size_t i : {10U, 150U, 200U}) {
     const auto stress = interior.at(Rational(map.x[i]), Rational(map.y[row]));
     CHECK(map.values[row * map.x.size() + i] == doctest::Approx(stress.von_mises()->value).epsilon(1e-9));
   }
   // The first row is the limit from below.
-  for (const std::size_t i : {10, 120, 200, 310}) {
+  for (const std::size_t i : {10U, 120U, 200U, 310U}) {
     const auto stress = interior.at(Rational(map.x[i]), Rational(1, 1000000));
     CHECK(map.values[i] == doctest::Approx(stress.von_mises()->value).epsilon(1e-4));
   }
@@ -198,7 +198,7 @@ TEST_CASE("layouts of coatings agree with solve and with design, and the order i
   const Figure& figure = made("coating-layouts");
   const std::vector<Series>& curves = figure.panels[0].series;
   REQUIRE(curves.size() == 8);
-  for (const std::size_t k : {0, 1, 2, 3}) {
+  for (const std::size_t k : {0U, 1U, 2U, 3U}) {
     const Point& p = curves[2 * k].points[60];
     const std::string friction = k < 2 ? "0.5, 0.1, 0.5" : "0.1, 0.5, 0.1";
     const GivenProblem given{"0.2", friction, fmt::format("\"{:.17g}\", \"{:.17g}\"", p.x - 0.5, p.x + 0.5),
@@ -214,7 +214,7 @@ TEST_CASE("layouts of coatings agree with solve and with design, and the order i
   for (const Point& p : curves[4].points) CHECK(p.y >= extremes[1].from.y - 1e-12);
   CHECK(extremes[0].from.y == doctest::Approx(0.367149).epsilon(1e-6));
   CHECK(extremes[1].from.y == doctest::Approx(0.231489).epsilon(2e-6));
-  for (const std::size_t k : {0, 2}) {
+  for (const std::size_t k : {0U, 2U}) {
     const std::vector<Point>& marks = figure.panels[1].series[k].points;
     const std::vector<Point>& line = figure.panels[1].series[k + 1].points;
     const double order = std::log(line[0].y / line[1].y) / std::log(line[1].x / line[0].x);

@@ -171,7 +171,7 @@ TEST_CASE("the largest stress is at the place that solve finds, and contours hav
 
 TEST_CASE("friction by direction agrees with solve, and its marks are those of two equal coatings") {
   const Panel& panel = made("friction-direction").panels.front();
-  for (const std::size_t k : {0, 1}) {
+  for (const std::size_t k : {0U, 1U}) {
     const Point& p = panel.series[2 * k].points[30];
     const GivenProblem given{"0.2", "0.1, 0.5", fmt::format("\"{:.17g}\"", p.x), "0", "1", k == 0 ? "+x" : "-x"};
     CHECK(value_after(solve_answer(given), "effective friction") == doctest::Approx(p.y).epsilon(1e-9));

@@ -19,10 +19,10 @@ TEST_CASE("bad problem files: message, exit code, no output") {
       "1: not TOML; a problem file is written in TOML; Error while parsing key-value pair: encountered "
       "end-of-file",
       "load = ");
-  for (const auto& [message, text] : files) {
-    CAPTURE(text);
-    const TemporaryFolder folder{{"bad.toml", text}, {"trace.csv", "-1,1/4\n0,0\n1,1/2\n"}};
-    check_refused(folder.run({"exponents", "bad.toml", "-o", "result"}), "bad.toml:" + message);
+  for (const auto& file : files) {
+    CAPTURE(file.second);
+    const TemporaryFolder folder{{"bad.toml", file.second}, {"trace.csv", "-1,1/4\n0,0\n1,1/2\n"}};
+    check_refused(folder.run({"exponents", "bad.toml", "-o", "result"}), "bad.toml:" + file.first);
     CHECK(folder.names() == std::vector<std::string>{"bad.toml", "trace.csv"});
   }
 }

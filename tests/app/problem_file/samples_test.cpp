@@ -166,7 +166,6 @@ TEST_CASE("friction from a table is friction from values and jumps; a measured p
                                           {"samples = {file = \"f.csv\"}", in_mm},
                                           {"samples = {file = \"f.csv\", x_unit = \"mm\"}", in_mm},
                                           {"samples = {file = \"f_um.csv\", x_unit = \"um\"}", in_mm}}) {
-    CAPTURE(friction);
     const Json found = answer(friction, samples);
     CHECK(found["resultants"] == expected["resultants"]);
     CHECK(found["problem"]["friction"]["values"] == Json{"0.2", "0.5"});

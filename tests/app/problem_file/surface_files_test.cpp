@@ -10,10 +10,10 @@ const std::string plain_punch =
 
 /// Checks the rows of a list: the text of a table, and the message after "t.csv:".
 void check_bad_tables(const std::string& option, const std::string& list) {
-  for (const auto& [text, message] : rows_of(STEADYSLIDE_TESTS "/app/problem_file/" + list)) {
-    CAPTURE(text);
-    const TemporaryFolder folder{{"p.toml", plain_punch}, {"t.csv", text}};
-    check_refused(folder.run({"solve", "p.toml", option, "t.csv", "-o", "result"}), "t.csv:" + message);
+  for (const auto& row : rows_of(STEADYSLIDE_TESTS "/app/problem_file/" + list)) {
+    CAPTURE(row.first);
+    const TemporaryFolder folder{{"p.toml", plain_punch}, {"t.csv", row.first}};
+    check_refused(folder.run({"solve", "p.toml", option, "t.csv", "-o", "result"}), "t.csv:" + row.second);
     CHECK(folder.names() == std::vector<std::string>{"p.toml", "t.csv"});
   }
 }

@@ -6,12 +6,12 @@
 TEST_CASE("bad sweeps: message, exit code, no output") {
   const auto sweeps = changed_files(STEADYSLIDE_TESTS "/app/sweep/bad_sweeps.txt");
   CHECK(sweeps.size() >= 60);
-  for (const auto& [message, text] : sweeps) {
-    CAPTURE(text);
+  for (const auto& sweep : sweeps) {
+    CAPTURE(sweep.second);
     const SweepFolder folder("");
-    folder.write("bad.toml", text);
+    folder.write("bad.toml", sweep.second);
     folder.write("out", "earlier");
-    check_refused(folder.run({"sweep", "bad.toml", "-o", "out"}), "bad.toml:" + message);
+    check_refused(folder.run({"sweep", "bad.toml", "-o", "out"}), "bad.toml:" + sweep.first);
     CHECK(folder.read("out") == "earlier");
     CHECK(folder.names() == std::vector<std::string>{"bad.toml", "base.toml", "out", "sweep.toml"});
   }

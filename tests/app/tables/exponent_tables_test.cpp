@@ -111,7 +111,7 @@ TEST_CASE(
     const std::vector<std::pair<std::size_t, Float50>> expected{
         {2, constants.alpha}, {3, gamma},       {4, half - low}, {5, half + low},
         {6, half - high},     {7, half + high}, {8, beta},       {10, -beta}};
-    for (const auto& [column, value] : expected) CHECK_MESSAGE(is(row[column], value), column);
+    for (const auto& cell : expected) CHECK_MESSAGE(is(row[cell.first], cell.second), cell.first);
     CHECK(row[9] == word(beta));
     CHECK(row[11] == word(-beta));
     if (gamma < 0) ++negative;

@@ -56,7 +56,8 @@ TEST_CASE("stresses below the surface are the numeric layer's, near it and far f
     const auto* form = dynamic_cast<const RiemannHilbertSolution<Real50>*>(state.solution.get());
     REQUIRE(form);
     const InteriorStress<Real50> numeric(*form);
-    for (const auto& [x, z] : {std::pair(0.1_r, 0.5_r), {-0.2_r, 1e-6_r}, {0.5_r, 0.01_r}, {-3, 2}, {0, 1e-3_r}}) {
+    for (const auto& at : {std::pair(0.1_r, 0.5_r), {-0.2_r, 1e-6_r}, {0.5_r, 0.01_r}, {-3, 2}, {0, 1e-3_r}}) {
+      const Rational &x = at.first, &z = at.second;
       INFO("x = ", to_string(x), ", z = ", to_string(z));
       const StressComponents stress = interior_stress(state.enclosed, x, z);
       const StressState<Real50> expected = numeric.at(x, z);

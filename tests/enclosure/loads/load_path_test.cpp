@@ -205,7 +205,7 @@ TEST_CASE("a rounded punch which may tilt comes to rest on its edges one after t
     return std::count_if(ends.begin(), ends.end(), [](const auto& end) { return !end.vanishes; });
   };
   const auto at = events(stretches);
-  for (const std::size_t k : {0, 1}) {
+  for (const std::size_t k : {0U, 1U}) {
     CHECK(is_narrow(at[k], 0.00001_r));
     CHECK(edges(at[k].from) == static_cast<std::ptrdiff_t>(k));
     CHECK(edges(at[k].to) == static_cast<std::ptrdiff_t>(k) + 1);

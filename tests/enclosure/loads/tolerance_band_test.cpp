@@ -72,7 +72,7 @@ TEST_CASE("a friction that falls has no band") {
 TEST_CASE("a jump of height zero says nothing of its loads") {
   const ContactProblem problem = testing::reduced({0.1_r, 0.1_r, 0.4_r}, {-0.5_r, 0.5_r}, punch(0, 0, 0), 1);
   const ToleranceBand band(problem, Rational(1, 10000), 0);
-  for (const std::size_t k : {0, 1}) {
+  for (const std::size_t k : {0U, 1U}) {
     CHECK(band.load_share(k, Ball(0.3_r, 64)).contains(Rational(0)));
     CHECK(band.load_share(k, Ball(0.3_r, 64)).contains(Rational(1)));
   }

@@ -106,7 +106,7 @@ TEST_CASE("functions contain their values") {
                                            Row{"log", [&](const Ball& x) { return log(x + little); }, 0, 40},
                                            Row{"gamma", [&](const Ball& x) { return gamma(x + little); }, 0, 20},
                                            Row{"pi", [](const Ball& x) { return x * Ball::pi(x.bits()); }, -2, 2}}) {
-    CHECK_MESSAGE(rc::check(name, [&, f = f, low = low, high = high] { is_contained(f, low, high); }), name);
+    CHECK(rc::check(name, [&, f = f, low = low, high = high] { is_contained(f, low, high); }));
   }
 }
 

@@ -37,8 +37,8 @@ TEST_CASE("bad friction tables: the whole message") {
       {"-1,0.1\n0,high\n", "2: f: not a number; a number is written like 2, -0.25, 1e-3 or 1/3; 'high'"},
       {"-1,0.1,2\n", "1: wrong number of columns; a line of a friction table is x,f; 3 columns"},
   };
-  for (const auto& [text, message] : rows) {
-    CHECK_THROWS_WITH_AS_MESSAGE(read(text), ("f.csv:" + message).c_str(), InvalidFile, text);
+  for (const auto& row : rows) {
+    CHECK_THROWS_WITH_AS_MESSAGE(read(row.first), ("f.csv:" + row.second).c_str(), InvalidFile, row.first);
   }
   std::string many;
   for (std::size_t k = 0; k <= max_friction_values; ++k) many += std::to_string(k) + "e-6,0.1\n";

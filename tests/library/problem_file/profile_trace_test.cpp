@@ -71,8 +71,8 @@ TEST_CASE("bad traces: the whole message") {
                       "2: psi: number too long; a number has at most 400 characters; 401 characters");
   traces.emplace_back("0,1\n" + std::string(1001, ' ') + "\n",
                       "2: line too long; a line of a trace has at most 1000 characters; 1001 characters");
-  for (const auto& [text, message] : traces) {
-    CHECK_THROWS_WITH_AS_MESSAGE(read_trace(text), ("t.csv:" + message).c_str(), InvalidFile, text);
+  for (const auto& row : traces) {
+    CHECK_THROWS_WITH_AS_MESSAGE(read_trace(row.first), ("t.csv:" + row.second).c_str(), InvalidFile, row.first);
   }
   // A line of the largest allowed length.
   CHECK_NOTHROW(read_trace("0,1\n" + std::string(1000, ' ') + "\n1,2\n"));

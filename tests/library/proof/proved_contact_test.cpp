@@ -77,12 +77,13 @@ TEST_CASE("ends at other distances make another contact set") {
   for (const auto& [shift, asked] :
        {std::pair(Rational(1, 10000), std::vector{16, 50}), {Rational(1, 100), std::vector{16, 50, 100}}}) {
     std::vector<int> digits;
-    const auto proof = library::proved_contact(problem, 20, 16, [&](int wanted) -> std::optional<FoundContact> {
-      ApproximateContact result = alone;
-      for (ApproximateContact::End& end : result.ends) end.offset *= 1 + shift * static_cast<int>(digits.size());
-      digits.push_back(wanted);
-      return FoundContact{result};
-    });
+    const auto proof =
+        library::proved_contact(problem, 20, 16, [&, &shift = shift](int wanted) -> std::optional<FoundContact> {
+          ApproximateContact result = alone;
+          for (ApproximateContact::End& end : result.ends) end.offset *= 1 + shift * static_cast<int>(digits.size());
+          digits.push_back(wanted);
+          return FoundContact{result};
+        });
     REQUIRE(proof);
     CHECK(proof->refuted);
     CHECK((digits == asked));

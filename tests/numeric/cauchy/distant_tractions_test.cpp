@@ -107,7 +107,7 @@ TEST_CASE("|Y| over more points than vectors are for: as far from 50 digits as i
   std::vector<Power<Real50>> same;
   for (const Power<double>& p : powers) same.push_back({Real50(p.value), 1 + Real50(p.value)});
   const FundamentalSolution<Real50> exact(Real50(0), {lengths.begin(), lengths.end()}, same);
-  for (const std::size_t k : {0, 1, 350, 699}) {
+  for (const std::size_t k : {0U, 1U, 350U, 699U}) {
     std::vector<double> left, right, values(3);
     for (const double part : {0x1p-40, 0.25, 1 - 0x1p-20}) {
       left.push_back(part * lengths[k]);

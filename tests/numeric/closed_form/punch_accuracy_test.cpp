@@ -27,7 +27,8 @@ void check_residuals(int jumps, const R& tolerance,
   using std::abs;
   std::set<std::vector<Rational>> measured;
   for (const char* nu : ratios) {
-    for (const auto& [f, g] : {std::pair("0", "0"), {"0.5", "0.2"}, {"0", "50"}, {"50", "0.1"}, {"10", "3"}}) {
+    for (const auto& [first, second] : {std::pair("0", "0"), {"0.5", "0.2"}, {"0", "50"}, {"50", "0.1"}, {"10", "3"}}) {
+      const char *f = first, *g = second;
       INFO("jumps = ", jumps, ", nu = ", nu, ", f = ", f, ", g = ", g);
       const ContactProblem problem = punch(jumps, parse_rational(nu), parse_rational(f), parse_rational(g));
       std::vector<Rational> s;

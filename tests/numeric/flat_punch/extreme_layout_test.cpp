@@ -107,7 +107,8 @@ TEST_CASE("sliding the other way: the same layout seen from behind") {
 }
 
 TEST_CASE("friction up to 1e9, and shares down to a millionth") {
-  for (const auto& [outer, inner] : {std::pair(1e9_r, 0_r), {0_r, 1_r}, {5_r, 3_r}, {1e-9_r, 0_r}}) {
+  for (const auto& coatings : {std::pair(1e9_r, 0_r), {0_r, 1_r}, {5_r, 3_r}, {1e-9_r, 0_r}}) {
+    const Rational &outer = coatings.first, &inner = coatings.second;
     for (const Rational& share : {1e-6_r, 0.5_r, 1 - 1e-6_r}) {
       CAPTURE(to_string(outer));
       CAPTURE(to_string(inner));

@@ -83,7 +83,7 @@ TEST_CASE_TEMPLATE("the mean of the stresses at points of the window, by Gauss's
         for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += rule.weights[i] * values[k].value;
       }
       const std::vector<Estimate<R>> found = numbers(average_at(average, x, z));
-      for (const std::size_t k : {0, 1, 2, 3, 7, 8}) {  // the invariants are not linear
+      for (const std::size_t k : {0U, 1U, 2U, 3U, 7U, 8U}) {  // the invariants are not linear
         CAPTURE(k);
         CHECK(size_of(R(found[k].value - sums[k])) < tolerance * (1 + size_of(sums[0])));
       }

@@ -82,7 +82,6 @@ TEST_CASE("no place has more: jumps, strong friction, a punch below its least de
     CHECK((depth > 0) == (unbounded || solution->singular_points().size() > 2));
     const auto largest = largest_stress<double>(interior, depth);
     REQUIRE(largest);
-    CAPTURE(solution->method());
     CAPTURE(largest->x.value);
     CAPTURE(largest->z.value);
     const double left = solution->contact().front().left.x.value;
@@ -119,7 +118,7 @@ TEST_CASE("on cells: how far stresses and the place of the largest one are from 
     const InteriorStress<double> exact(*truth);
     const double left = truth->contact().front().left.x.value;
     const double width = truth->contact().back().right.x.value - left;
-    for (const std::size_t cells : {512, 4096}) {
+    for (const std::size_t cells : {512U, 4096U}) {
       CAPTURE(cells);
       const auto found = variational_inequality(problem, {.cells = cells}).solution;
       const InteriorStress<double> interior(*found);

@@ -84,7 +84,9 @@ TEST_CASE("there is a displacement: its gradient's rows have no curl, in plane s
                                  Indenter(-2, {{2, Polynomial({0, 0, 1})}}), 1);
     const InteriorStress<R> interior(*closed_form<R>(problem).solution);
     for (const auto& [x, z] : {std::pair(0.2_r, 0.3_r), {-0.6_r, 0.1_r}, {1, 0.5_r}}) {
-      const auto gradient = [&](int dx, int dz) { return *interior.at(x + dx * h, z + dz * h).gradient; };
+      const auto gradient = [&, &x = x, &z = z](int dx, int dz) {
+        return *interior.at(x + dx * h, z + dz * h).gradient;
+      };
       const auto right = gradient(1, 0), left = gradient(-1, 0), down = gradient(0, 1), up = gradient(0, -1);
       const R step = 2 * to_real<R>(h);
       const R x_xz = (down.x_x.value - up.x_x.value) / step, x_zx = (right.x_z.value - left.x_z.value) / step;

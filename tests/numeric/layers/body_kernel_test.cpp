@@ -95,8 +95,9 @@ TEST_CASE_TEMPLATE("a bonded layer on a rigid base: slopes and values by the clo
         },
         end, step);
     CHECK(size_of(R(kernel.normal().at(y) - at_zero - rise)) < 10 * tolerance);
-    const R coupled =
-        integrated<R>([&](const R& k) { return R(symbols.at(k).coupling_defect * sin(R(k * y)) / k); }, end, step);
+    const R coupled = integrated<R>(
+        [&, &symbols = symbols](const R& k) { return R(symbols.at(k).coupling_defect * sin(R(k * y)) / k); }, end,
+        step);
     CHECK(size_of(R(kernel.coupling().at(y) - coupled)) < 10 * tolerance);
     CHECK(kernel.normal().at(-y) == kernel.normal().at(y));
     CHECK(kernel.coupling().at(-y) == -kernel.coupling().at(y));
@@ -169,13 +170,13 @@ TEST_CASE("a smooth pressure displaces the surface as its transform says, in sig
   const double f = 0.5;
   using Rule = boost::math::quadrature::gauss_kronrod<double, 61>;
   for (const double x : {-1.3, 0.0, 0.4, 2.0}) {
-    const auto transform = [&](double k) {
+    const auto transform = [&, &symbols = symbols](double k) {
       const double p = std::sqrt(std::numbers::pi) * std::exp(-k * k / 4);
       return (symbols.normal(k) * std::cos(k * x) + f * symbols.coupling(k) * std::sin(k * x)) * p / k;
     };
     const auto pressure = [](double place) { return std::exp(-place * place); };
     // d = x' - x, both signs of d together; log d is integrated in v = sqrt(d).
-    const auto source = [&](double v) {
+    const auto source = [&, &symbols = symbols, &kernel = kernel](double v) {
       const double d = v * v;
       const double even = pressure(x + d) + pressure(x - d);
       const double odd = pressure(x + d) - pressure(x - d);

@@ -107,7 +107,7 @@ struct TransferSymbols {
 inline TransferSymbols by_transfer_matrix(const Body& body, Plane plane, const Real100& k) {
   const auto [u, v] = states_at(0, body, plane, k);
   const Real100 determinant = u[2] * v[3] - u[3] * v[2];
-  const auto displacement = [&](const Real100& xz, const Real100& zz) {
+  const auto displacement = [&, &u = u, &v = v](const Real100& xz, const Real100& zz) {
     return (xz * (v[3] * u[1] - u[3] * v[1]) + zz * (u[2] * v[1] - v[2] * u[1])) / determinant;
   };
   const Real100 unit = k / Lame(body.layers()[0].solid, plane).compliance();

@@ -37,7 +37,7 @@ TEST_CASE("periodic stresses are sums over many periods, with the constant that 
       const StressState<double> found = stress.at(x, z), moved = stress.at(x + 7, z);
       for (const Part part : stress_parts) {
         // The rest of the sum over -n, ..., n decreases like 1/n.
-        const auto sum = [&](int n) {
+        const auto sum = [&, &x = x, &z = z](int n) {
           double total = part == &StressState<double>::xx ? constant : 0;
           for (int j = -n; j <= n; ++j) total += (of_one.at(x + j, z).*part).value;
           return total;

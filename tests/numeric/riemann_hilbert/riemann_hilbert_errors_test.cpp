@@ -98,7 +98,7 @@ TEST_CASE("a wedge: intensity and constant of a singular point are those of the 
       REQUIRE(corner != points.end());
       // At the distances d, 2d and 4d on the left; t = constant + intensity log(d)/pi, or constant + amplitude d^power.
       std::array<Real50, 3> t;
-      for (int k = 0; k < 3; ++k) t[k] = solution->at(Rational(-(1 << k), 1000000000000)).traction.left.value;
+      for (std::size_t k = 0; k < 3; ++k) t[k] = solution->at(Rational(-(1 << k), 1000000000000)).traction.left.value;
       const auto near = [](const Real50& found, const Real50& expected) {
         return abs(found - expected) <= Real50(1e-9) * abs(expected);
       };
@@ -118,7 +118,7 @@ TEST_CASE("free ends: what they are off by is covered by every estimate") {
   for (const ContactProblem& problem : with_free_ends()) {
     const auto truth = riemann_hilbert<Real50>(problem).solution;
     REQUIRE(truth->failed_condition() == "");
-    for (const std::size_t pattern : {0, 1, 2}) {
+    for (const std::size_t pattern : {0U, 1U, 2U}) {
       EstimateAudit audit;
       audit_solution("", problem, displaced(problem, pattern, 1e-8), *truth, false, audit);
       REQUIRE(audit.compared == 1U);
@@ -126,7 +126,7 @@ TEST_CASE("free ends: what they are off by is covered by every estimate") {
       for (const std::string& line : audit.dishonest) beyond_estimates += line + '\n';
       INFO("pattern ", pattern, "; up to four times the estimate is right:\n", beyond_estimates);
       CHECK_FALSE(holds(beyond_estimates, "nan"));
-      for (const auto& [kind, numbers] : audit.numbers) CHECK_MESSAGE(numbers.worst <= 4, kind);
+      for (const auto& of_kind : audit.numbers) CHECK_MESSAGE(of_kind.second.worst <= 4, of_kind.first);
     }
   }
 }

@@ -87,11 +87,11 @@ TEST_CASE("a free tilt that only its bracket finds; cells find the same") {
     std::uint64_t seed;
     Rational load_at;
   };
-  for (const auto& [seed, load_at] : {Case{20170096, {-5, 8}}, {20170119, {-5, 32}}, {20170217, {-5, 8}}}) {
-    CAPTURE(seed);
-    const ContactProblem fixed = random_contact(seed, ContactFamily::notches);
+  for (const Case& c : {Case{20170096, {-5, 8}}, {20170119, {-5, 32}}, {20170217, {-5, 8}}}) {
+    CAPTURE(c.seed);
+    const ContactProblem fixed = random_contact(c.seed, ContactFamily::notches);
     const ContactProblem problem(fixed.elasticity(), fixed.friction(), fixed.indenter(), fixed.load(), fixed.sliding(),
-                                 load_at);
+                                 c.load_at);
     const auto found = riemann_hilbert<double>(problem).solution;
     REQUIRE(found);
     CHECK(found->failed_condition() == "");
@@ -102,7 +102,7 @@ TEST_CASE("a free tilt that only its bracket finds; cells find the same") {
     };
     agree(*found->tilt(), *cells->tilt());
     agree(found->resultants().effective_friction, cells->resultants().effective_friction);
-    const double place = to_real<double>(load_at);
+    const double place = to_real<double>(c.load_at);
     CHECK(std::abs(found->resultants().centre_of_pressure.value - place) <= 1e-9);
   }
 }

@@ -85,7 +85,7 @@ TEST_CASE("several zones, corners and jumps of friction: no window has more, on 
       no_window_has_more(*exact, length);
       const Estimate<double> truth = exact->largest_average_pressure(to_real<double>(length)).value;
       CHECK(truth.error <= 1e-9 * truth.value);
-      for (const std::size_t cells : {1024, 4096, 65536}) {
+      for (const std::size_t cells : {1024U, 4096U, 65536U}) {
         const auto found = variational_inequality(problem, {.cells = cells}).solution;
         no_window_has_more(*found, length);
         const Estimate<double> on_cells = found->largest_average_pressure(to_real<double>(length)).value;

@@ -66,7 +66,7 @@ CellMeans variational_means(const ContactProblem& problem, std::size_t count) {
 double end_on_cells(const CellMeans& cells, double x, Side contact) {
   auto i = static_cast<std::size_t>((x - cells.edges.front()) / cells.length);
   const bool right = contact == Side::right;
-  for (i += right ? 5 : -5; cells.mean[i] != 0; i += right ? -1 : 1) {
+  for (i = right ? i + 5 : i - 5; cells.mean[i] != 0; i = right ? i - 1 : i + 1) {
   }
   return cells.edges[right ? i + 1 : i];
 }
@@ -290,7 +290,7 @@ TEST_CASE("a free end is found where it is, from the cell it lies in") {
   const Named named = problems()[4];
   const SolvedCells solution = with_cells(named.problem, 4096);
   const Cells cells = solution.cells.cells();
-  for (const std::size_t j : {0, 2}) {
+  for (const std::size_t j : {0U, 2U}) {
     const auto& point = solution.points[j];
     const double lambda = to_real<double>(*point.exponent);
     for (const double shift : {-1., 0.4, 1.}) {

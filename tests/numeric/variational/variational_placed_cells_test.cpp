@@ -137,7 +137,7 @@ TEST_CASE("a contact that reaches an end of the support has an edge there") {
 
 TEST_CASE("a second bump outside the cells that touches under load is found, however narrow") {
   // 64 locating cells show neither, 4096 cells show the wide one.
-  for (const std::size_t locating : {64, 4096}) {
+  for (const std::size_t locating : {64U, 4096U}) {
     for (const Rational& half : {0.05_r, 0.005_r}) {
       const ContactProblem problem = reduced({0.3_r, 1}, {0.1_r}, with_tent(2.5_r, half), 0.2_r);
       const auto found = variational_inequality(problem, {.cells = locating, .accuracy = 1e-3}).solution;

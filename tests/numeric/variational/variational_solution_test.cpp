@@ -171,7 +171,7 @@ TEST_CASE("a pressure is infinite on any mesh, and where its logarithm is strong
   const ContactProblem problem = reduced({0.1_r}, {}, polygon(Rational(1, 500)), 0.05_r);
   const auto exact = riemann_hilbert<double>(problem).solution->largest_pressure();
   CHECK(exact.x.value == doctest::Approx(-0.1));
-  for (const std::size_t cells : {128, 512, 2048, 16384}) {
+  for (const std::size_t cells : {128U, 512U, 2048U, 16384U}) {
     CAPTURE(cells);
     const auto found = variational_inequality(problem, {.cells = cells}).solution->largest_pressure();
     CHECK(std::isinf(found.value.value));
@@ -180,7 +180,7 @@ TEST_CASE("a pressure is infinite on any mesh, and where its logarithm is strong
   }
   // At a jump up the strongest power comes first, for any number of cells. A jump down has none, and there is no wedge.
   const Indenter parabola = one_piece(-1, 1, {0, 0, 2.5_r});
-  for (const std::size_t cells : {64, 256, 4096}) {
+  for (const std::size_t cells : {64U, 256U, 4096U}) {
     CAPTURE(cells);
     const auto rising =
         variational_inequality(reduced({0.1_r, 0.6_r, 0.7_r}, {0, 0.1_r}, parabola, 1), {.cells = cells});

@@ -108,9 +108,10 @@ TEST_CASE(
     }
   }
   std::map<std::string, std::string> reasons;
-  for (const auto& [id, why] : found) {
-    CAPTURE(id);
-    reasons.emplace(id, why.reason);
+  for (const auto& claim : found) {
+    CAPTURE(claim.first);
+    const auto& why = claim.second;
+    reasons.emplace(claim.first, why.reason);
     CHECK_FALSE(why.reason.empty());
     CHECK(why.consequences.size() >= 3);
     CHECK(std::set<std::string>(why.consequences.begin(), why.consequences.end()).size() == why.consequences.size());

@@ -79,7 +79,7 @@ TEST_CASE("run: a rate off the expected one refutes, and one too vague does not"
   // Evidence that is returned, not thrown.
   for (const auto& [bar, verdict] : {std::pair(1.5, Verdict::undecided), {0.5, Verdict::supported}}) {
     Claim vague = claim(1, 2);
-    vague.controls[0].examine = [bar](const Context&) -> std::vector<Evidence> {
+    vague.controls[0].examine = [bar = bar](const Context&) -> std::vector<Evidence> {
       return {ConvergenceRate{"error", 2, bar, 1, 0.1, ""}};
     };
     CHECK(run(vague, {}).verdict == verdict);

@@ -227,7 +227,7 @@ TEST_CASE("a rule holds on general instances, and each of its premises is needed
 }
 
 TEST_CASE("instances that are not as described are errors") {
-  for (const auto& [from, to] :
+  for (const auto& change :
        std::vector<std::pair<std::string, std::string>>{{"n in {0, 1, 2}", "n in 0, 1"},
                                                         {"n in {0, 1, 2}", "n"},
                                                         {"n in {0, 1, 2}", "n in {0, 1, }}"},
@@ -238,7 +238,7 @@ TEST_CASE("instances that are not as described are errors") {
                                                         {"| grows(N) | `n in", "| shrinks(N) | `n in"},
                                                         {"floor(n/2)", "floor(m/2)"},
                                                         {"floor(n/2)", "floor(n/2"}}) {
-    CHECK_THROWS_AS_MESSAGE(Meaning(sentences(from, to)), std::logic_error, to);
+    CHECK_THROWS_AS_MESSAGE(Meaning(sentences(change.first, change.second)), std::logic_error, change.second);
   }
   const Theory none = sentences("`D = 1`", "`D = 1`, where `D = 2`");
   CHECK_THROWS_AS(Meaning(none).of(parse_fact("even(whole)")), std::logic_error);
@@ -266,11 +266,11 @@ TEST_CASE("every fact and every rule of the ledger that has a meaning holds on i
 // So each exchange of two identities, or of two facts, is noticed.
 TEST_CASE("the tables and the statements say the same of each identity") {
   const Decided tables = decided_in_tables(theory());
-  for (const auto& [id, fact] : tables) {
-    CHECK_MESSAGE(decided_in_statements().contains({id, fact}), id, " does not name ", text_of(fact));
+  for (const auto& one : tables) {
+    CHECK_MESSAGE(decided_in_statements().contains(one), one.first, " does not name ", text_of(one.second));
   }
-  for (const auto& [id, fact] : decided_in_statements()) {
-    CHECK_MESSAGE(tables.contains({id, fact}), text_of(fact), " without ", id);
+  for (const auto& one : decided_in_statements()) {
+    CHECK_MESSAGE(tables.contains(one), text_of(one.second), " without ", one.first);
   }
 }
 

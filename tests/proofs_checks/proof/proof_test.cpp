@@ -3,7 +3,6 @@
 #include "proofs_checks/proof/proof.hpp"
 
 #include <nlohmann/json.hpp>
-#include <ranges>
 
 #include "proofs_checks/proof/markdown.hpp"
 #include "support/test.hpp"
@@ -80,9 +79,7 @@ const Theory& numbers() {
 ProofText proof_text(std::string text) {
   static std::string kept;
   kept = std::move(text);
-  std::vector<std::string_view> lines;
-  for (const auto line : std::views::split(kept, '\n')) lines.emplace_back(line.begin(), line.end());
-  return parse_proof(lines);
+  return parse_proof(parts_of(kept, "\n"));
 }
 
 const CheckedProof* entry(const std::string& id);

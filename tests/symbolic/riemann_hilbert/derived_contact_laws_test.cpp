@@ -79,7 +79,7 @@ TEST_CASE("a punch scales, a parabola moves: the laws of changed problems") {
     const auto [changed, image] = law.change(p, some_factor(), left + length * 271 / 1009);
     const DerivedContact there = contact(changed);
     const bool mirror = image.scale < 0;
-    const auto is_end = [&](const Decimal& end, const Rational& expected) {
+    const auto is_end = [&, &image = image](const Decimal& end, const Rational& expected) {
       return abs(end.value - image.of(expected)) <= 1e-58_r * (abs(end.value) + abs(image.scale) * length);
     };
     RC_ASSERT(is_end(there.end(mirror ? End::right : End::left), left));

@@ -32,7 +32,7 @@ std::set<std::string> check_decided(const std::vector<DecidedStatement>& stateme
     }
     section.merge(variants);
   }
-  for (const auto& [id, variants] : sections) CHECK_MESSAGE(variants.size() >= controls, id);
+  for (const auto& section : sections) CHECK_MESSAGE(section.second.size() >= controls, section.first);
   return ids;
 }
 

@@ -83,11 +83,11 @@ TEST_CASE("statements decided elsewhere take the place that the text gives them"
 
 TEST_CASE("a text that cannot be read is refused") {
   // The text that replaces the first equation, and the message.
-  for (const auto& [line, message] : rows_of(STEADYSLIDE_TESTS "/symbolic/statements/unreadable_lines.json")) {
-    CAPTURE(line);
+  for (const auto& row : rows_of(STEADYSLIDE_TESTS "/symbolic/statements/unreadable_lines.json")) {
+    CAPTURE(row.first);
     std::string text = square;
-    text.replace(text.find("equal it"), text.find("\n  for") - text.find("equal it"), line);
-    CHECK_THROWS_WITH(written_statements(text), ("statement: line 10: " + message).c_str());
+    text.replace(text.find("equal it"), text.find("\n  for") - text.find("equal it"), row.first);
+    CHECK_THROWS_WITH(written_statements(text), ("statement: line 10: " + row.second).c_str());
   }
   CHECK_THROWS_WITH(written_statements("a\n  let b = 1\n"), "statement: line 1: a statement has words; a");
   CHECK_THROWS_WITH(written_statements("symbols b\na\n  equal b = b\n  says it\n"),
