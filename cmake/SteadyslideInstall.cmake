@@ -18,9 +18,12 @@ function(steadyslide_install_manual)
   set(folder "${PROJECT_BINARY_DIR}/manual")
   find_program(STEADYSLIDE_GZIP gzip REQUIRED)
   configure_file("${PROJECT_SOURCE_DIR}/checker/steadyslide-check.1" "${folder}/steadyslide-check.1.in" @ONLY)
+  # The variable is for the build with sanitizers.
+  set(program ${CMAKE_COMMAND} -E env "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/cmake/leaks.supp"
+              $<TARGET_FILE:steadyslide>)
   add_custom_command(OUTPUT "${folder}/steadyslide.1.gz" "${folder}/steadyslide-check.1.gz" "${folder}/steadyslide"
-    COMMAND steadyslide --generate man > "${folder}/steadyslide.1"
-    COMMAND steadyslide --generate bash > "${folder}/steadyslide"
+    COMMAND ${program} --generate man > "${folder}/steadyslide.1"
+    COMMAND ${program} --generate bash > "${folder}/steadyslide"
     COMMAND ${CMAKE_COMMAND} -E copy steadyslide-check.1.in steadyslide-check.1
     COMMAND ${STEADYSLIDE_GZIP} -9nf steadyslide.1 steadyslide-check.1
     WORKING_DIRECTORY "${folder}"
