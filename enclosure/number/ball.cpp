@@ -34,6 +34,11 @@ bool is_four_numbers(std::string_view text) {
   return true;
 }
 
+/// FLINT keeps memory for each thread. It is given back when the thread ends.
+struct ThreadMemory {
+  ~ThreadMemory() { flint_cleanup(); }
+};
+
 Bits larger(const Ball& a, const Ball& b) { return std::max(a.bits(), b.bits()); }
 
 using Unary = void (*)(arb_t, const arb_t, slong);
@@ -58,6 +63,8 @@ Ball::Ball(int value, Bits bits) : bits_(bits) {
 }
 
 Ball::Ball(const Rational& value, Bits bits) : Ball(0, bits) {
+  // Here, because every calculation converts its data.
+  thread_local const ThreadMemory memory;
   fmpq_t exact;
   fmpq_init(exact);
   fmpq_set_mpq(exact, value.backend().data());

@@ -15,6 +15,11 @@ double nearest_double(const Rational& value) {
   return result;
 }
 
+/// MPFR keeps constants and memory for each thread. They are given back when the thread ends.
+struct ThreadMemory {
+  ~ThreadMemory() { mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE); }
+};
+
 template <class R>
 bool touch_limits() {
   using Limits = std::numeric_limits<R>;
@@ -45,6 +50,8 @@ R to_real(const Rational& value) {
   if constexpr (std::same_as<R, double>) {
     return nearest_double(value);
   } else {
+    // Here, because every calculation converts its data.
+    thread_local const ThreadMemory memory;
     R result;
     mpfr_set_q(result.backend().data(), value.backend().data(), MPFR_RNDN);
     return result;
