@@ -21,12 +21,12 @@ struct ControlReport {
 
 struct Report {
   ClaimText claim;
-  Verdict verdict;
+  Verdict verdict = Verdict::undecided;
   std::vector<Evidence> evidence;
   /// The reason why the verdict is weaker than the evidence: an exception's message, controls that were not refuted.
   std::string note;
   std::vector<ControlReport> controls;
-  double seconds;
+  double seconds = 0;
 
   std::size_t controls_refuted() const;
   /// Returns the checked proof, or null if there is none.

@@ -34,10 +34,10 @@ class Dice {
   /// Returns 10^(k/10) to two digits, low <= k <= high.
   Rational decades(int low, int high) {
     static constexpr int mantissa[] = {10, 13, 16, 20, 25, 32, 40, 50, 63, 79};
-    const int k = whole(low, high) + 100;
-    Rational value(mantissa[k % 10], 10);
-    for (int e = 10; e < k / 10; ++e) value *= 10;
-    for (int e = 10; e > k / 10; --e) value /= 10;
+    const int k = whole(low, high), last = (k % 10 + 10) % 10, power = (k - last) / 10;
+    Rational value(mantissa[last], 10);
+    for (int e = 0; e < power; ++e) value *= 10;
+    for (int e = 0; e > power; --e) value /= 10;
     return value;
   }
 
