@@ -55,12 +55,12 @@ TEST_CASE("intensities beside a step, over gaps much shorter than the contact") 
   CHECK(audit.failure() == "");
 }
 
-TEST_CASE("two problems of each family") {
+TEST_CASE("one problem of each family") {
   EstimateAudit audit;
   for (const auto& [family, name] : contact_families) {
     // Their 50 digits take a minute. Run error_estimates many-wedges FIRST COUNT for them.
     if (family == ContactFamily::usual || family == ContactFamily::many_wedges) continue;
-    for (const std::uint64_t i : {0U, 1U}) audit_estimates(first_listed_seed + i, audit, family);
+    audit_estimates(first_listed_seed, audit, family);
   }
   // 7: the shear beside a wedge, where all digits of the pressure are known. 5168: slopes in the contact, at places
   // that rounding shifts.

@@ -60,12 +60,15 @@ TEST_CASE("16 digits give the doubles back: |shear| is f |traction| to the last 
   }
 }
 
-TEST_CASE("a result that does not converge is written") {
+TEST_CASE("a solve that does not converge writes its state and one line with the reason") {
   const TemporaryFolder folder;
   const Finished json = folder.run({"solve", "-", "--method", "riemann-hilbert", "--format", "json", "-o", "result"},
                                    problem_text("tiny_step"));
   CHECK(json.code == 1);
   CHECK(json.out == "");
+  CHECK(json.err.starts_with("steadyslide: -: the solve did not converge: "));
+  CHECK(json.err.ends_with("; what was reached is printed\n"));
+  CHECK(times(json.err, "\n") == 1);
   CHECK(Json::parse(folder.read("result"))["contact"].size() >= 1);
 }
 

@@ -66,19 +66,20 @@ TEST_CASE("u_t' at a jump between neighbouring frictions: a flat punch, by two m
 }
 
 TEST_CASE("u_t' at a jump between neighbouring frictions, where the profile has a wedge or changes its curvature") {
+  bool forward = false;
   for (const Rational& difference : small_differences) {
     CAPTURE(to_string(difference));
-    for (const Sliding sliding : {Sliding::plus_x, Sliding::minus_x}) {
-      const bool vanishes = (difference > 0) == (sliding == Sliding::minus_x);
-      // If there is no wedge, the pressure is 0 where s rises, and the slope is finite there, even if double finds
-      // different slopes at 1/10.
-      const Indenter wedge = meeting({0, -0.2_r}, {0, 0.3_r, 1}), bent = meeting({0, 0, 0.25_r}, {0, 0, 1});
-      const Indenter rounded = meeting({0, 0, 1}, {0, 0, Rational(-1, 3)});
-      for (const auto& [indenter, finite] :
-           {std::pair(&wedge, 8), {&bent, vanishes ? 10 : 8}, {&rounded, vanishes ? 10 : 8}}) {
-        const ContactProblem p = on_neighbours(difference, *indenter, sliding);
-        CHECK(compare(*riemann_hilbert<double>(p).solution, *riemann_hilbert<Real50>(p).solution) == finite);
-      }
+    forward = !forward;
+    const Sliding sliding = forward ? Sliding::plus_x : Sliding::minus_x;
+    const bool vanishes = (difference > 0) == (sliding == Sliding::minus_x);
+    // If there is no wedge, the pressure is 0 where s rises, and the slope is finite there, even if double finds
+    // different slopes at 1/10.
+    const Indenter wedge = meeting({0, -0.2_r}, {0, 0.3_r, 1}), bent = meeting({0, 0, 0.25_r}, {0, 0, 1});
+    const Indenter rounded = meeting({0, 0, 1}, {0, 0, Rational(-1, 3)});
+    for (const auto& [indenter, finite] :
+         {std::pair(&wedge, 8), {&bent, vanishes ? 10 : 8}, {&rounded, vanishes ? 10 : 8}}) {
+      const ContactProblem p = on_neighbours(difference, *indenter, sliding);
+      CHECK(compare(*riemann_hilbert<double>(p).solution, *riemann_hilbert<Real50>(p).solution) == finite);
     }
   }
 }
