@@ -14,7 +14,7 @@
 
 #ifdef __SANITIZE_ADDRESS__
 // The sanitizer calls it. Open MPI does not free all its memory.
-extern "C" int __lsan_is_turned_off() { return 1; }
+extern "C" [[gnu::visibility("default")]] int __lsan_is_turned_off() { return 1; }
 #endif
 
 namespace {
