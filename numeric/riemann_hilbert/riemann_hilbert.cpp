@@ -1,6 +1,7 @@
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <string>
@@ -129,6 +130,7 @@ std::shared_ptr<RiemannHilbertSolution<double>> search_by_attitude(const Contact
   std::map<double, std::shared_ptr<RiemannHilbertSolution<double>>> known;  // by tilt
   std::string why = stalled.failed_condition() + "; no bracket of the tilt was found";
   const auto offset = [&](double tilt) -> std::optional<double> {
+    if (!std::isfinite(tilt)) return std::nullopt;
     const ContactProblem fixed = with_attitude(problem, tilt);
     std::shared_ptr<RiemannHilbertSolution<double>> found;
     const auto solves = [&found](std::shared_ptr<RiemannHilbertSolution<double>> next) {
@@ -162,6 +164,24 @@ std::shared_ptr<RiemannHilbertSolution<double>> search_by_attitude(const Contact
   return std::make_shared<RiemannHilbertSolution<double>>(problem, stalled.problem().frame(), state);
 }
 
+/// Returns why double, in which every search begins, cannot hold the problem; empty if it can.
+std::string beyond_double(const ContactProblem& problem) {
+  constexpr double largest = 1e14;  // arctan(1/s)/pi, the distance of a power from its limit, is 3e-15
+  for (std::size_t k = 0; k < problem.friction().values().size(); ++k) {
+    if (std::abs(to_real<double>(problem.coupled_friction(k))) > largest)
+      return "friction too large for the Riemann-Hilbert method; gamma f is at most 1e14";
+  }
+  std::vector<Rational> places = problem.friction().jumps();
+  places.push_back(problem.indenter().left());
+  for (const Indenter::Piece& piece : problem.indenter().pieces()) places.push_back(piece.to);
+  std::ranges::sort(places);
+  const Rational least = parse_rational("1e-300") * (problem.indenter().right() - problem.indenter().left());
+  const auto near = [&](const Rational& a, const Rational& b) { return a != b && b - a < least; };
+  if (std::ranges::adjacent_find(places, near) != places.end())
+    return "places too near for the Riemann-Hilbert method; the distance is at least 1e-300 of the support's width";
+  return {};
+}
+
 }  // namespace
 
 std::string too_many_profile_breaks(const ContactProblem& problem, Digits digits) {
@@ -186,6 +206,7 @@ Attempt<R> riemann_hilbert(const ContactProblem& problem, const ContactSolution<
   if (std::string reason = too_many_friction_pieces(problem, digits_of<R>); !reason.empty())
     return {nullptr, std::move(reason)};
   if (std::string reason = too_many_profile_breaks(problem, digits_of<R>); !reason.empty()) return {nullptr, reason};
+  if (std::string reason = beyond_double(problem); !reason.empty()) return {nullptr, std::move(reason)};
   // For every precision, the contact is first found in double.
   std::shared_ptr<RiemannHilbertSolution<double>> rough;
   if (start) rough = search<double>(problem, start_from(problem, *start));

@@ -411,12 +411,9 @@ Mesh around_load(Mesh mesh, double at) {
   return mesh.refined(pieces);
 }
 
-}  // namespace
-
-CoarseContact coarse_contact(const ContactProblem& problem, int cells) {
+CoarseContact contact_around(const Rational& origin, const ContactProblem& problem, int cells) {
   CoarseContact result;
-  const Indenter& indenter = problem.indenter();
-  result.origin = (indenter.left() + indenter.right()) / 2;
+  result.origin = origin;
   Load load{to_real<double>(problem.load()), std::nullopt};
   if (problem.load_at()) load.at = to_real<double>(Rational(*problem.load_at() - result.origin));
 
@@ -441,6 +438,18 @@ CoarseContact coarse_contact(const ContactProblem& problem, int cells) {
   for (std::size_t i = 0; i < mesh.size(); ++i) result.traction.push_back(-state.force[i] / mesh.length(i));
   result.converged = state.converged;
   return result;
+}
+
+}  // namespace
+
+CoarseContact coarse_contact(const ContactProblem& problem, int cells) {
+  const Rational &left = problem.indenter().left(), &right = problem.indenter().right();
+  CoarseContact found = contact_around((left + right) / 2, problem, cells);
+  if (found.zones.empty()) return found;
+  // Far from the origin, a polynomial in double is less accurate. A narrow contact has its own origin.
+  const double from = found.zones.front().left, to = found.zones.back().right;
+  if (to - from > 0.01 * to_real<double>(right - left)) return found;
+  return contact_around(found.origin + Rational((from + to) / 2), problem, cells);
 }
 
 }  // namespace steadyslide::numeric

@@ -75,6 +75,10 @@ std::optional<Part> VariationalSolution::penetrated_part(const variational::Disc
 
 Attempt<double> variational_inequality(const ContactProblem& given, const VariationalOptions& options) {
   if (options.cells < fewest_cells || options.cells > most_cells) throw std::invalid_argument("number of cells");
+  for (std::size_t k = 0; k < given.friction().values().size(); ++k) {
+    if (!std::isfinite(to_real<double>(given.coupled_friction(k))))
+      return {nullptr, "friction too large for cells; gamma f is at most 1e308"};
+  }
   ContactProblem problem = given;
   Frame frame = variational::support_frame(problem);
   const auto x = [&](double xi) { return Rational(frame.origin + frame.unit * Rational(xi)); };

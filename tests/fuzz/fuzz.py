@@ -5,7 +5,7 @@ Makes `count` files from the seed `first` on. Each is an example, a problem of t
 random changes: of bytes, of lines, of numbers and texts; lines of other files are put in. Problem files go to the commands of
 steadyslide, certificates to steadyslide-check. Required are
 
-- exit code 0, 1 or 2, within `--seconds` of processor time and two gigabytes of memory;
+- exit code 0, 1 or 2, within `--seconds` of processor time and four gigabytes of memory;
 - with code 2: nothing on the standard output, and one line that names the program and has no control character;
 - with code 0 of solve: JSON, and no number of it is infinite or not a number.
 
@@ -97,7 +97,7 @@ def limited(seconds):
         resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
         # A sanitizer reserves terabytes.
         if not SANITIZED:
-            resource.setrlimit(resource.RLIMIT_AS, (2 << 30, 2 << 30))
+            resource.setrlimit(resource.RLIMIT_AS, (4 << 30, 4 << 30))
     return set_limits
 
 

@@ -49,6 +49,10 @@ TEST_CASE("wide supports and supports far away from the origin") {
     solutions_agree<double, double>(*solved<double>(p), *solved<double>(p.moved(1, far)), 1e-14, far);
     if (&indenter == &indenters[3]) solved<Real50>(p.moved(1, far));
   }
+  // Two wells at one end of a wide support: heights in coordinates from its middle would lose 16 digits.
+  const Indenter beside = one_piece(-3, 10000, {1, 0.2_r, -2, 0, 1});
+  solutions_agree<double, double>(*solved<double>(on_two_coatings(wells, 1)),
+                                  *solved<double>(on_two_coatings(beside, 1)), 1e-13);
   // Wide gaps beside two components.
   solved<double>(on_two_coatings(one_piece(-1000000, 1000000, {1, 0, -2, 0, 1}), 1));
 }

@@ -50,6 +50,21 @@ TEST_CASE("a search that leads nowhere ends with a condition that fails") {
   CHECK(solution.failed_condition() == found.failed_condition);
 }
 
+TEST_CASE("a problem beyond double is refused with a reason, or left unsolved") {
+  const auto reason = [](const Rational& s, const Rational& jump) {
+    const Indenter wedge(-1, {{0, Polynomial({0, -0.2_r})}, {1, Polynomial({0, 0.2_r})}});
+    return riemann_hilbert<double>(reduced({0.3_r, s}, {jump}, wedge, 1)).reason;
+  };
+  CHECK(reason(parse_rational("2e14"), 0).starts_with("friction too large for the Riemann-Hilbert method; "));
+  CHECK(reason(1, parse_rational("1e-301")).starts_with("places too near for the Riemann-Hilbert method; "));
+  CHECK(reason(parse_rational("9e13"), parse_rational("1e-299")) == "");
+  CHECK(variational_inequality(reduced({parse_rational("1e400")}, {}, two_wells(), 1), {}).reason ==
+        "friction too large for cells; gamma f is at most 1e308");
+  // A number of 400 digits is infinite in double.
+  const auto found = riemann_hilbert<double>(on_two_coatings(two_wells(), parse_rational("1e400"), 0.8_r));
+  CHECK(found.solution->failed_condition() != "");
+}
+
 TEST_CASE("control: a displaced end is seen in the load, the equation and the closure of the gap") {
   const auto good = solved<double>(on_two_wells);
   const RoundedProblem<double>& problem = good->problem();
