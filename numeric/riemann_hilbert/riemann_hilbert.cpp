@@ -174,10 +174,10 @@ std::string beyond_double(const ContactProblem& problem) {
   std::vector<Rational> places = problem.friction().jumps();
   places.push_back(problem.indenter().left());
   for (const Indenter::Piece& piece : problem.indenter().pieces()) places.push_back(piece.to);
-  std::ranges::sort(places);
+  std::sort(places.begin(), places.end());
   const Rational least = parse_rational("1e-300") * (problem.indenter().right() - problem.indenter().left());
   const auto near = [&](const Rational& a, const Rational& b) { return a != b && b - a < least; };
-  if (std::ranges::adjacent_find(places, near) != places.end())
+  if (std::adjacent_find(places.begin(), places.end(), near) != places.end())
     return "places too near for the Riemann-Hilbert method; the distance is at least 1e-300 of the support's width";
   return {};
 }
