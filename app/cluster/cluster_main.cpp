@@ -13,7 +13,7 @@
 #include "app/sweep/sweep_options.hpp"
 
 #ifdef __SANITIZE_ADDRESS__
-// The sanitizer calls it. Open MPI does not free all its memory.
+// Tells the leak sanitizer to report nothing here: Open MPI does not free all its memory.
 extern "C" [[gnu::visibility("default")]] int __lsan_is_turned_off() { return 1; }
 #endif
 
