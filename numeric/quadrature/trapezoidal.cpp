@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "numeric/hierarchical/line_sum.hpp"
+#include "numeric/number/compensated_sum.hpp"
 
 namespace steadyslide::numeric::trapezoidal {
 namespace {
@@ -90,22 +91,6 @@ class EndPowers {
 };
 
 }  // namespace
-
-/// Neumaier's summation. Next to a zero of the traction, principal values lose three digits and more by cancellation.
-template <Real R>
-class CompensatedSum {
- public:
-  void add(const R& term) {
-    const R sum = sum_ + term;
-    compensation_ += abs(sum_) >= abs(term) ? (sum_ - sum) + term : (term - sum) + sum_;
-    sum_ = sum;
-  }
-  R value() const { return sum_ + compensation_; }
-
- private:
-  R sum_ = 0;
-  R compensation_ = 0;
-};
 
 template <Real R>
 Grid<R>::Grid(PiecewiseDensity<R> density)
@@ -200,6 +185,7 @@ typename Grid<R>::Samples Grid<R>::sample(std::size_t panel_index, const R& offs
 template <Real R>
 template <class Kernel>
 R Grid<R>::sum(const Panel<R>& panel, const Samples& samples, const Kernel& kernel) const {
+  // Next to a zero of the traction, principal values lose three digits and more by cancellation.
   CompensatedSum<R> total;
   for (const Sample& s : samples.inner) total.add(s.weighted * kernel(s.node));
   total.add(samples.left_tail * kernel(Node<R>{panel.left, R(0), panel.length}));

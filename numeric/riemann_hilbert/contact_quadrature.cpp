@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "numeric/cauchy/second_kind.hpp"
+#include "numeric/number/compensated_sum.hpp"
+#include "numeric/number/mapped.hpp"
 
 namespace steadyslide::numeric {
 namespace {
@@ -14,13 +16,18 @@ constexpr std::size_t most_kept = 4'000'000;
 /// After this number of sums over all sources, moments are not more expensive.
 constexpr std::size_t worth_while = 48;
 
-/// Subtracts term x^j from entry j.
+/// Adds -term x^j to sum j.
 template <Real R>
-void subtract_powers(std::vector<Estimate<R>>& moments, Estimate<R> term, const R& x) {
-  for (Estimate<R>& m : moments) {
-    m += -term;
+void subtract_powers(std::vector<EstimateSum<R>>& moments, Estimate<R> term, const R& x) {
+  for (EstimateSum<R>& m : moments) {
+    m.add(-term);
     term *= x;
   }
+}
+
+template <Real R>
+std::vector<Estimate<R>> values_of(const std::vector<EstimateSum<R>>& sums) {
+  return mapped(sums, [](const EstimateSum<R>& sum) { return sum.value(); });
 }
 
 /// Returns the limit of int_0^1 y^a/(y + d) dy for d -> 0 without its singular term, which is -pi d^a/sin(pi a), or
@@ -290,12 +297,12 @@ template <Real R>
 Estimate<R> ContactQuadrature<R>::sum_of_panels(std::size_t slope, std::size_t component, const SurfacePoint<R>& at,
                                                 std::size_t first, std::size_t end, const std::vector<R>& weights,
                                                 const std::vector<R>& density) const {
-  Estimate<R> total{R(0), R(0)};
+  EstimateSum<R> total;
   const ContactSet<R>& set = y_->set();
   const Local* const local = local_sum(slope, component, at, density);
   if (local) {
     const R value = local->sum.value((at.node.from_left - local->begin) / local->length) / local->length;
-    total += Estimate<R>{value, R(local->sum.size()) / local->length};
+    total.add({value, R(local->sum.size()) / local->length});
   }
   const auto add = [&](std::size_t segment, const R& between) {
     if (segment < first || segment >= end || !set.in_contact(segment) || y_->slope_at(segment) == slope) return;
@@ -306,13 +313,13 @@ Estimate<R> ContactQuadrature<R>::sum_of_panels(std::size_t slope, std::size_t c
     if (auto* graded = graded_sum(segment, is_right ? Side::left : Side::right, slope,
                                   &density[first_node(segment) - first_node(first)])) {
       const auto far = graded->at(between);
-      total += Estimate<R>{is_right ? far.value : R(-far.value), R(far.size)};
+      total.add({is_right ? far.value : R(-far.value), R(far.size)});
       near = is_right ? std::pair(panel + far.first, panel + far.end)
                       : std::pair(near.second - far.end, near.second - far.first);
     }
     for (std::size_t k = near.first; k < near.second; ++k) {
       const std::size_t node = panels_[k].first - first_node(first);
-      total += panel_cauchy(panels_[k], slope, component, at, between, &weights[node], &density[node]);
+      total.add(panel_cauchy(panels_[k], slope, component, at, between, &weights[node], &density[node]));
     }
   };
   R between = at.node.from_right;
@@ -325,7 +332,7 @@ Estimate<R> ContactQuadrature<R>::sum_of_panels(std::size_t slope, std::size_t c
     add(static_cast<std::size_t>(k), between);
     between += set.length(static_cast<std::size_t>(k));
   }
-  return total;
+  return total.value();
 }
 
 template <Real R>
@@ -343,14 +350,14 @@ Estimate<R> ContactQuadrature<R>::cauchy(std::size_t slope, const SurfacePoint<R
 
 template <Real R>
 std::vector<Estimate<R>> ContactQuadrature<R>::moments(const R& tilt, std::size_t count) const {
-  std::vector<Estimate<R>> result(count);
+  std::vector<EstimateSum<R>> sums(count);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const R& x = nodes_[i].node.x;
     const std::size_t own = y_->slope_at(static_cast<std::size_t>(nodes_[i].segment));
     const Estimate<R> g = y_->problem().slope_estimate(own, x) + Estimate<R>{tilt, R(0)};
-    subtract_powers(result, node_term<R>(node_weights_[i] / pi<R>(), g), x);
+    subtract_powers(sums, node_term<R>(node_weights_[i] / pi<R>(), g), x);
   }
-  return result;
+  return values_of(sums);
 }
 
 template <Real R>
@@ -360,22 +367,24 @@ Estimate<R> ContactQuadrature<R>::pivot_moment(std::size_t component, const R& t
     if (const Cells* by_cells = cells()) return pivot_moment_by_cells(*by_cells, component, tilt);
   }
   const std::vector<R> distances = distances_to(y_->pivots()[component].point, 0, y_->set().segments());
-  Estimate<R> sum;
+  EstimateSum<R> sum;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const std::size_t own = y_->slope_at(static_cast<std::size_t>(nodes_[i].segment));
     const Estimate<R> g = y_->problem().slope_estimate(own, nodes_[i].node.x) + Estimate<R>{tilt, R(0)};
-    sum += node_term<R>(-node_weights_[i] / distances[i], g);
+    sum.add(node_term<R>(-node_weights_[i] / distances[i], g));
   }
-  return sum / pi<R>();
+  return sum.value() / pi<R>();
 }
 
 template <Real R>
-void ContactQuadrature<R>::add_difference_moments(std::size_t slope, std::vector<Estimate<R>>& moments) const {
+std::vector<Estimate<R>> ContactQuadrature<R>::difference_moments(std::size_t slope, std::size_t count) const {
   const std::lock_guard lock(*making_);
   const std::vector<R>& f = density(slope);
+  std::vector<EstimateSum<R>> sums(count);
   for (std::size_t i = 0; i < f.size(); ++i) {
-    subtract_powers(moments, node_term<R>(1 / pi<R>(), {f[i], R(0)}), nodes_[i].node.x);
+    subtract_powers(sums, node_term<R>(1 / pi<R>(), {f[i], R(0)}), nodes_[i].node.x);
   }
+  return values_of(sums);
 }
 
 STEADYSLIDE_INSTANTIATE_CLASS(ContactQuadrature)

@@ -42,8 +42,8 @@ class ContactQuadrature {
   Estimate<R> cauchy(std::size_t slope, const SurfacePoint<R>& at) const;
   /// Returns -(1/pi) times the second integral for j = 0, 1, ...
   std::vector<Estimate<R>> moments(const R& tilt, std::size_t count) const;
-  /// Adds -(1/pi) int eps cos(pi alpha) (g - g_k)/|Y| xi^j to moments[j].
-  void add_difference_moments(std::size_t slope, std::vector<Estimate<R>>& moments) const;
+  /// Returns -(1/pi) int eps cos(pi alpha) (g - g_k)/|Y| xi^j for j = 0, 1, ...
+  std::vector<Estimate<R>> difference_moments(std::size_t slope, std::size_t count) const;
   /// Returns -(1/pi) int eps cos(pi alpha) (g + tilt)/(|Y| (xi - e_i)), where e_i is the pivot of a component.
   Estimate<R> pivot_moment(std::size_t component, const R& tilt) const;
 

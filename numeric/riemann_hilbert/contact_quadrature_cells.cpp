@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/number/compensated_sum.hpp"
 #include "numeric/riemann_hilbert/contact_quadrature.hpp"
 #include "numeric/riemann_hilbert/distant_nodes.hpp"
 
@@ -81,26 +82,26 @@ Estimate<R> ContactQuadrature<R>::cauchy_by_cells(Cells& cells, std::size_t slop
   const auto start = [&](const Panel& panel) {
     return is_right(panel) ? panel.rule.part.from_left : panel.rule.part.from_right;
   };
-  Estimate<R> total{0, 0};
+  EstimateSum<R> total;
   // Adds a near panel, with the weights at its nodes.
   const auto add = [&](const Panel& panel, double gap, const R* weights) {
     if (y_->slope_at(panel.rule.part.segment) == slope) return;
     const std::vector<R> f = density(slope, weights, panel.first, panel.rule.rule->size());
-    total += panel_cauchy(panel, slope, component, at, std::max(gap - start(panel), 0.0), weights, f.data());
+    total.add(panel_cauchy(panel, slope, component, at, std::max(gap - start(panel), 0.0), weights, f.data()));
   };
 
   if (own.far) {
-    total += own.far->around(polynomial, at, [&](std::size_t k, double gap) {
+    total.add(own.far->around(polynomial, at, [&](std::size_t k, double gap) {
       add(panels_[k], gap, &own.weights[panels_[k].first - own.first_node]);
-    });
+    }));
   } else {
     if (own.density.empty() || own.slope != slope) {
       own.slope = slope;
       own.density = density(slope, own.weights.data(), own.first_node, own.weights.size());
     }
-    total += sum_of_panels(slope, component, at, own.segments.first, own.segments.end, own.weights, own.density);
+    total.add(sum_of_panels(slope, component, at, own.segments.first, own.segments.end, own.weights, own.density));
   }
-  if (!cells.others) return total;
+  if (!cells.others) return total.value();
   const int sigma = y_->pivots()[component].order;
   const auto others = [&](std::size_t k, double gap, double to_pivot) {
     const Panel& panel = panels_[k];
@@ -112,7 +113,8 @@ Estimate<R> ContactQuadrature<R>::cauchy_by_cells(Cells& cells, std::size_t slop
     }
     add(panel, gap, weights.data());
   };
-  return total += cells.others->around(polynomial, at, component, sigma, others);
+  total.add(cells.others->around(polynomial, at, component, sigma, others));
+  return total.value();
 }
 
 template <Real R>
@@ -120,11 +122,11 @@ Estimate<R> ContactQuadrature<R>::pivot_moment_by_cells(const Cells& cells, std:
                                                         const R& tilt) const requires std::same_as<R, double> {
   const ContactSet<R>& set = y_->set();
   const std::size_t e = y_->pivots()[component].point;
-  Estimate<R> sum;
+  EstimateSum<R> sum;
   const auto add = [&](std::size_t i, const R& distance) {
     const std::size_t own = y_->slope_at(static_cast<std::size_t>(nodes_[i].segment));
     const Estimate<R> g = y_->problem().slope_estimate(own, nodes_[i].node.x) + Estimate<R>{tilt, R(0)};
-    sum += node_term<R>(node_weights_[i] / distance, g);
+    sum.add(node_term<R>(node_weights_[i] / distance, g));
   };
   const auto& [first, end] = cells.others->segments(component);
   const std::vector<R> own = distances_to(e, first, end);
@@ -137,7 +139,7 @@ Estimate<R> ContactQuadrature<R>::pivot_moment_by_cells(const Cells& cells, std:
                                                       add(panel.first + i, node_distance(panel, i, is_right, to_pivot));
                                                     }
                                                   });
-  return -(sum + Estimate<R>{others.value, 8 * epsilon<R>() * others.error}) / pi<R>();
+  return -(sum.value() + Estimate<R>{others.value, 8 * epsilon<R>() * others.error}) / pi<R>();
 }
 
 /// Returns xi - e at a node, computed from the distance of the panel's end that is nearer to e.

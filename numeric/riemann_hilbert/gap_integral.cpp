@@ -3,6 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "numeric/number/compensated_sum.hpp"
+
 namespace steadyslide::numeric {
 
 template <Real R>
@@ -99,12 +101,12 @@ std::vector<GapNode<R>> GapIntegral<R>::rule() const {
 
 template <Real R>
 Estimate<R> GapIntegral<R>::closure_error(const std::vector<GapNode<R>>& rule) const {
-  Estimate<R> sum;
-  const auto add_step = [&](std::size_t j) { sum += Estimate<R>{step(j), R(0)}.widened(epsilon<R>()); };
+  EstimateSum<R> sum;
+  const auto add_step = [&](std::size_t j) { sum.add(Estimate<R>{step(j), R(0)}.widened(epsilon<R>())); };
   std::size_t k = end_;
   for (; k < set().segments() && !set().in_contact(k); ++k) {
     add_step(k);
-    sum += slope_difference(whole_segment(set(), k));
+    sum.add(slope_difference(whole_segment(set(), k)));
   }
   add_step(k);
   const SignedFundamentalSolution<R>& y = form_->y();
@@ -112,27 +114,28 @@ Estimate<R> GapIntegral<R>::closure_error(const std::vector<GapNode<R>>& rule) c
     Estimate<R> b = form_->regular_factor(node.slope, node.at);
     // B itself, with its value at the pivot, which is not 0 until the ends are found.
     if (!y.pivots().empty()) b = node.to_pivot * b + form_->pivot_moment(y.component_at(node.at));
-    sum += node.term(b);
+    sum.add(node.term(b));
   }
-  return sum;
+  return sum.value();
 }
 
 template <Real R>
 Estimate<R> GapIntegral<R>::rise(const SegmentPart<R>& part, bool rightwards) const {
   const R height = step(rightwards ? part.segment : part.segment + 1);
-  Estimate<R> sum = Estimate<R>{height, R(0)}.widened(epsilon<R>()) + slope_difference(part);
+  EstimateSum<R> sum(Estimate<R>{height, R(0)}.widened(epsilon<R>()) + slope_difference(part));
   std::vector<GapNode<R>> nodes;
   add_nodes(part, nodes);
   for (const GapNode<R>& node : nodes) {
-    sum += node.term(node.to_pivot * form_->regular_factor(node.slope, node.at));
+    sum.add(node.term(node.to_pivot * form_->regular_factor(node.slope, node.at)));
   }
+  Estimate<R> result = sum.value();
   if (errors_) {
     // Twice, because q and the tilt depend on the ends.
-    sum.error += 2 * form_->integral_of_error(part, [this](const SurfacePoint<R>& at) {
+    result.error += 2 * form_->integral_of_error(part, [this](const SurfacePoint<R>& at) {
       return R(form_->modulus(at) * form_->error_of_state(at, *errors_));
     });
   }
-  return rightwards ? sum : -sum;
+  return rightwards ? result : -result;
 }
 
 template <Real R>

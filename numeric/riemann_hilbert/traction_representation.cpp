@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/number/compensated_sum.hpp"
 #include "numeric/number/polynomial.hpp"
 
 namespace steadyslide::numeric {
@@ -265,16 +266,16 @@ Estimate<R> TractionRepresentation<R>::surface_slope(const SurfacePoint<R>& at) 
 template <Real R>
 Estimate<R> TractionRepresentation<R>::load_on(std::size_t segment) const {
   const R amplitude = y_->traction_factor(segment);
-  Estimate<R> sum;
+  EstimateSum<R> sum;
   for (const JacobiPanel<R>& panel :
        panels(whole_segment(set(), segment), [this](std::size_t j) { return y_->power(j); })) {
     for (std::size_t i = 0; i < panel.rule->size(); ++i) {
       const SurfacePoint<R> at = panel.node(set(), i);
       const R w = panel.node_weight(i) * amplitude * modulus(at);
-      sum += w * regular_factor(slope_at(segment), at).widened(8 * epsilon<R>());
+      sum.add(w * regular_factor(slope_at(segment), at).widened(8 * epsilon<R>()));
     }
   }
-  return sum;
+  return sum.value();
 }
 
 template <Real R>
@@ -299,9 +300,8 @@ std::vector<Estimate<R>> TractionRepresentation<R>::moments(std::size_t count) c
     if (set().in_contact(segment) && set().length(segment) > set().length(longest)) longest = segment;
   }
   const std::size_t k = slope_at(longest);
-  std::vector<Estimate<R>> result;
-  for (std::size_t j = 0; j < count; ++j) result.push_back(expansion_.moment(problem().slopes()[k], tilt_, j));
-  quadrature_.add_difference_moments(k, result);
+  std::vector<Estimate<R>> result = quadrature_.difference_moments(k, count);
+  for (std::size_t j = 0; j < count; ++j) result[j] += expansion_.moment(problem().slopes()[k], tilt_, j);
   return result;
 }
 

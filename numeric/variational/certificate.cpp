@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/number/compensated_sum.hpp"
+
 namespace steadyslide::numeric::variational {
 namespace {
 
@@ -29,16 +31,11 @@ std::vector<std::size_t> rows_to_sum(const std::vector<double>& pressure) {
 
 /// Returns the sum with compensation, because the rounding error of a million terms is not an error of the operator.
 double row_sum(const GalerkinOperator& b, const std::vector<double>& p, std::size_t i) {
-  double sum = 0;
-  double lost = 0;
+  CompensatedSum<double> sum;
   for (std::size_t j = 0; j < p.size(); ++j) {
-    if (p[j] == 0) continue;
-    const double term = b.entry(i, j) * p[j] - lost;
-    const double next = sum + term;
-    lost = (next - sum) - term;
-    sum = next;
+    if (p[j] != 0) sum.add(b.entry(i, j) * p[j]);
   }
-  return sum;
+  return sum.value();
 }
 
 }  // namespace

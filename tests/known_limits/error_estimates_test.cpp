@@ -94,6 +94,23 @@ TEST_CASE("the height and the intensities of a gap of 1e-164 over a notch") {
   CHECK(audit.honest() == 2U);
 }
 
+TEST_CASE("the intensity at an edge, where rounding adds up in the integrals over a gap of 1e-193 or 1e-209") {
+  // Seven hundred panels beside the notch have nearly the same integral, so each addition loses as much as the others.
+  EstimateAudit audit;
+  for (const auto& [i, digits] : {std::pair(75U, "0.053646663634323305637757756012875840191854947087505"),
+                                  std::pair(110U, "0.059008343379852844953024955596065615093613848344753")}) {
+    const auto solution =
+        numeric::riemann_hilbert<double>(random_contact(first_listed_seed + i, ContactFamily::notches)).solution;
+    REQUIRE(solution);
+    const Estimate<double> intensity = solution->singular_points().front().intensity;
+    compare_estimate("intensity", intensity, {Real50(digits), Real50(0)}, audit, "intensity");
+    // The terms of the sums cancel to one part in seventy.
+    CHECK(intensity.value == doctest::Approx(Real50(digits).convert_to<double>()).epsilon(2e-14));
+  }
+  for (const std::string& line : audit.dishonest) FAIL_CHECK(line);
+  CHECK(audit.honest() == 2U);
+}
+
 TEST_CASE("control: an end that is off by more than its estimate is seen") {
   EstimateAudit audit;
   compare_estimate("place", {1.0, 1e-16}, {Real50(1), Real50(0)}, audit);
