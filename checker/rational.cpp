@@ -32,7 +32,7 @@ Rational Rational::parse(const std::string& text, const std::string& place) {
   const std::size_t bar = text.find('/');
   Rational numerator, denominator = 1;
   const bool read = text.size() <= 2000 && read_decimal(text.substr(0, bar), numerator.value_) &&
-                    (bar == text.npos || read_decimal(text.substr(bar + 1), denominator.value_));
+                    (bar == std::string::npos || read_decimal(text.substr(bar + 1), denominator.value_));
   if (!read || denominator.sign() == 0) {
     throw Malformed(place, "not a number", "a number is written like 2, -0.25, 1e-3 or 1/3", text);
   }

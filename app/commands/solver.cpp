@@ -45,7 +45,7 @@ SolutionText Solver::solve_on_cells(const Problem& problem) const {
 
 template <numeric::Real R>
 SolutionText Solver::solve_in(const Problem& problem) {
-  Solution<R>& last = std::get<Solution<R>>(last_);
+  auto& last = std::get<Solution<R>>(last_);
   const numeric::Attempt<R> found = attempt<R>(wanted_.method, problem.contact, last.get());
   if (!found.solution) return inapplicable(found.reason);
   SolutionText text = solution_text(problem, *found.solution, wanted_.solution);
@@ -79,7 +79,7 @@ std::vector<StretchText> Solver::certify_load_range(const Problem& problem, cons
 
 template <numeric::Real R>
 std::optional<library::FoundContact> Solver::contact_in(const Problem& problem, std::function<SolutionText()>& text) {
-  Solution<R>& last = std::get<Solution<R>>(last_);
+  auto& last = std::get<Solution<R>>(last_);
   const numeric::Attempt<R> found = attempt<R>(wanted_.method, problem.contact, last.get());
   if (!found.solution) {
     text = [reason = found.reason] { return inapplicable(reason); };

@@ -28,7 +28,7 @@ std::string last_line(std::string text) {
 /// Returns the text after the last ": ", or the whole text if there is none.
 std::string after_last_colon(const std::string& text) {
   const std::size_t colon = text.rfind(": ");
-  return colon == text.npos ? text : text.substr(colon + 2);
+  return colon == std::string::npos ? text : text.substr(colon + 2);
 }
 
 }  // namespace

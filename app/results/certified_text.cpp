@@ -137,7 +137,8 @@ void certify(SolutionText& text, const Problem& problem, const enclosure::Contac
   text.proof = std::move(told);
   // The proof replaces the conditions that the approximation failed.
   text.failed_condition.clear();
-  std::erase_if(text.warnings, [](const std::string& line) { return line.find(estimated_error_warning) != line.npos; });
+  std::erase_if(text.warnings,
+                [](const std::string& line) { return line.find(estimated_error_warning) != std::string::npos; });
   text.in_range = true;
 }
 

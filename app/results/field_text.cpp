@@ -29,7 +29,7 @@ class NumberWriter {
     in_range_ = in_range_ && (!judged_ || (isfinite(estimate.value) && isfinite(estimate.error)));
     return number_text(estimate, digits_);
   }
-  NumberText operator()(const Ball& ball) { return number_text(ball, digits_); }
+  NumberText operator()(const Ball& ball) const { return number_text(ball, digits_); }
   template <class Number>
   NumberText operator()(const std::optional<Number>& number) {
     return number ? (*this)(*number) : NumberText{};

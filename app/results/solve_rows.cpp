@@ -88,7 +88,7 @@ void write_csv(const Problem& problem, const BothText& both, Output& output) {
 
 void write_load_steps(Format format, const std::vector<LoadStep>& steps, bool certify, Output& output) {
   std::vector<Column> last{"failed_condition"};
-  if (format == Format::json) last.push_back({"warnings"});
+  if (format == Format::json) last.emplace_back("warnings");
   if (certify) last.insert(last.end(), {{"until_load", Column::Holds::decimals}, {"status"}, {"event"}});
   Rows rows(
       format,

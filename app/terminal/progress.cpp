@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <string>
 
@@ -53,7 +54,7 @@ void Progress::show(std::size_t part, std::size_t whole) {
   if (ratio > 0) {
     const double seconds = std::chrono::duration<double>(now - start_).count();
     const double left = seconds / ratio * (1 - ratio);
-    line += " ETA " + clock_text(static_cast<long>(left + 0.5));
+    line += " ETA " + clock_text(std::lround(left));
   }
   const TerminalHeld held;
   std::fputs(line.c_str(), stderr);

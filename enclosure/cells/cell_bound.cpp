@@ -33,7 +33,7 @@ std::vector<Rational> loads_before(const ContactProblem& problem, const CellPres
   for (const Rational& c : problem.friction().jumps()) {
     result.push_back(pressures.load_before((c - left) / h) / Rational(pressures.total()));
   }
-  result.push_back(1);
+  result.emplace_back(1);
   return result;
 }
 

@@ -62,7 +62,7 @@ JacobiPolynomial::JacobiPolynomial(int count, const Ball& left, const Ball& righ
   eigenvalue_ = count * (s + (count + 1));
   // Written without zero denominators: s > -2, and s = 0 or s = -1 are allowed.
   centres_.push_back((l - r) / (s + 2));
-  products_.push_back(Ball(0));
+  products_.emplace_back(0);
   products_.push_back(4 * (l + 1) * (r + 1) / ((s + 2) * (s + 2) * (s + 3)));
   const Ball difference = (l - r) * s;
   for (int k = 1; k < count; ++k) centres_.push_back(difference / ((s + 2 * k) * (s + (2 * k + 2))));
@@ -122,7 +122,7 @@ std::optional<JacobiPolynomial::Zero> JacobiPolynomial::zero_near(double start, 
     // A later term needs fewer bits, because its factor R^k is small.
     const Bits bits = std::max(root_bits, bits_ - static_cast<Bits>((k - 1) * bits_per_term) + 64);
     Ball next(0, bits), term(0, bits);
-    arb_mul_si(next.get(), x.get(), 2 * k, bits);
+    arb_mul_si(next.get(), x.get(), 2L * k, bits);
     arb_sub(next.get(), next.get(), e.get(), bits);
     arb_mul(next.get(), next.get(), c[j - 1].get(), bits);
     arb_mul_si(next.get(), next.get(), k + 1, bits);

@@ -65,7 +65,7 @@ SampleFile read_samples(const ProblemReader& reader, const std::string& field, c
   };
   std::string path = (std::filesystem::path(beside).parent_path() / given).string();
   if (path == "-") path = "./-";
-  if (path.find('\0') != path.npos) throw unreadable(excerpt(path));
+  if (path.find('\0') != std::string::npos) throw unreadable(excerpt(path));
   try {
     return {path, read_input(path, "a " + kind)};
   } catch (const UnreadableFile& file) {

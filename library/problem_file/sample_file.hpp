@@ -23,7 +23,7 @@ std::string file_field(const ProblemReader& reader, const std::string& field,
                        std::initializer_list<std::string_view> keys);
 
 /// True for a text of several lines: it is the table itself, not the name of a file.
-inline bool is_table(const std::string& text) { return text.find('\n') != text.npos; }
+inline bool is_table(const std::string& text) { return text.find('\n') != std::string::npos; }
 
 struct SampleFile {
   std::string path;  ///< for a table inside the problem file "FILE:LINE: FIELD[]", without a problem file "FIELD[]"

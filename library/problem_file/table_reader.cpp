@@ -24,11 +24,13 @@ std::string_view trimmed(std::string_view text) {
 /// The columns of a line that is not blank.
 std::vector<std::string_view> columns_of(std::string_view line) {
   std::vector<std::string_view> columns;
-  const std::string_view separators = line.find(';') != line.npos ? ";" : line.find(',') != line.npos ? "," : blanks;
+  const std::string_view separators = line.find(';') != std::string_view::npos   ? ";"
+                                      : line.find(',') != std::string_view::npos ? ","
+                                                                                 : blanks;
   while (true) {
     const std::size_t end = line.find_first_of(separators);
     columns.push_back(trimmed(line.substr(0, end)));
-    if (end == line.npos) return columns;
+    if (end == std::string_view::npos) return columns;
     line = line.substr(end + 1);
     if (separators == blanks) line = trimmed(line);
   }
@@ -53,7 +55,8 @@ void TableReader::read_line(std::string_view line, const std::function<void(std:
     throw error("line too long", fmt::format("a line of {} has at most {} characters", rules_.kind, longest_table_line),
                 fmt::format("{} characters", line.size()));
   }
-  if (line.find('\0') != line.npos) throw error("not a text", rules_.kind + " has no NUL bytes", excerpt(line));
+  if (line.find('\0') != std::string_view::npos)
+    throw error("not a text", rules_.kind + " has no NUL bytes", excerpt(line));
   line = trimmed(line.substr(0, line.find('#')));
   if (line.empty()) return;
   const bool is_first = !std::exchange(begun_, true);

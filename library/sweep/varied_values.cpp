@@ -101,7 +101,7 @@ class ValuesReader {
 
   std::vector<Value> range() const {
     const std::string& text = entry_.value.text;
-    if (text.find(':') == text.npos) {
+    if (text.find(':') == std::string::npos) {
       throw bad("not a range", "a range is written FIRST:LAST:STEP", excerpt(text));
     }
     return values(accepted(entry_.value.line, [&] { return parse_list(text, max_values); }));

@@ -153,7 +153,7 @@ Scientific error_of_text(const std::string& text, const numeric::Estimate<R>& es
 }
 
 std::string size_of(const Scientific& error, int digits) {
-  return error.digits.find_first_not_of('0') == error.digits.npos ? "0" : lay_out(error, digits);
+  return error.digits.find_first_not_of('0') == std::string::npos ? "0" : lay_out(error, digits);
 }
 
 /// "80 +/- 120": a value that does not exceed its error, rounded to the last digit of the error.

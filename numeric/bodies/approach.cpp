@@ -15,7 +15,7 @@ std::optional<Estimate<double>> approach(const ContactProblem& problem, const Co
   const Rational support = indenter.right() - indenter.left(), far = indenter.right() + support;
   const std::shared_ptr<const SurfaceCorrection<double>> correction =
       surface_correction<double>(problem, to_real<double>(2 * support));
-  const double x = to_real<double>(far), gamma = to_real<double>(problem.elasticity().gamma());
+  const auto x = to_real<double>(far), gamma = to_real<double>(problem.elasticity().gamma());
   const PiecewiseTraction<double> traction = solution.piecewise_traction();
   std::vector<const PiecewiseTraction<double>*> meshes{&traction};
   for (const PiecewiseTraction<double>& coarser : traction.coarser()) meshes.push_back(&coarser);

@@ -49,7 +49,7 @@ class BodySolution : public RiemannHilbertSolution<double> {
   }
   std::vector<DetailedSample<double>> detailed_samples(int count) const override {
     std::vector<DetailedSample<double>> result = RiemannHilbertSolution<double>::detailed_samples(count);
-    for (DetailedSample<double>& sample : result) sample = corrected(std::move(sample));
+    for (DetailedSample<double>& sample : result) sample = corrected(sample);
     return result;
   }
 
@@ -144,7 +144,7 @@ Attempt<double> CorrectedContact::solve(const ContactSolution<double>& cells) {
   Eigen::VectorXd w = correction_under(cells);
   std::shared_ptr<const Solution> best;
   Eigen::VectorXd best_w;
-  double least = infinity<double>();
+  auto least = infinity<double>();
   // t is about P over the contact's width, and an error of w changes t by about as much.
   const double scale = to_real<double>(problem_.load()) / (right_ - left_);
   std::string reason;

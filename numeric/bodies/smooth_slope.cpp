@@ -57,7 +57,7 @@ SmoothSlope::SmoothSlope(const Indenter& indenter, double left, double right,
                          const std::function<double(double)>& radius) {
   const auto end = to_real<double>(indenter.right());
   const ChebyshevPoints<double> points(panel_points);
-  for (double from = to_real<double>(indenter.left()); from < end;) {
+  for (auto from = to_real<double>(indenter.left()); from < end;) {
     // A panel is not longer than the distance of the singularities from its points.
     double length = radius(from);
     while (length > radius(from + length)) length = std::max(length / 2, radius(from + length));

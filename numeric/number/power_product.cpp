@@ -14,8 +14,8 @@ static_assert(sizeof(PowerFactor) == 4 * sizeof(double));
 /// Two doubles at a time in portable code; every x86-64 processor has such vectors.
 struct BaselineLanes {
   static constexpr std::size_t count = 2;
-  typedef double Real __attribute__((vector_size(16)));
-  typedef std::uint64_t Bits __attribute__((vector_size(16)));
+  using Real [[gnu::vector_size(16)]] = double;
+  using Bits [[gnu::vector_size(16)]] = std::uint64_t;
   struct Reduced {
     Real r, high, low;
   };

@@ -10,8 +10,8 @@ namespace {
 
 struct Avx2Lanes {
   static constexpr std::size_t count = 4;
-  typedef double Real __attribute__((vector_size(32)));
-  typedef std::uint64_t Bits __attribute__((vector_size(32)));
+  using Real [[gnu::vector_size(32)]] = double;
+  using Bits [[gnu::vector_size(32)]] = std::uint64_t;
   struct Reduced {
     Real r, high, low;
   };

@@ -15,8 +15,8 @@ namespace {
 
 struct Avx512Lanes {
   static constexpr std::size_t count = 8;
-  typedef double Real __attribute__((vector_size(64)));
-  typedef std::uint64_t Bits __attribute__((vector_size(64)));
+  using Real [[gnu::vector_size(64)]] = double;
+  using Bits [[gnu::vector_size(64)]] = std::uint64_t;
   struct Reduced {
     Real r, high, low;
   };

@@ -53,7 +53,7 @@ class RepeatedContact : public ContactSolution<double> {
   }
   std::vector<DetailedSample<double>> detailed_samples(int count) const override {
     std::vector<DetailedSample<double>> result = solution_->detailed_samples(count);
-    for (DetailedSample<double>& sample : result) sample = seen(std::move(sample), Rational(sample.x));
+    for (DetailedSample<double>& sample : result) sample = seen(sample, Rational(sample.x));
     return result;
   }
 

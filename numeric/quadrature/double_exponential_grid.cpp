@@ -403,7 +403,7 @@ Estimate<double> Grid<R>::rough_displacement(std::size_t k, Side end, double dis
   double size = 0;
   double lost = 0;
   const bool beyond_right = end == Side::right;
-  const double own_length = static_cast<double>(density_[k].panel.length);
+  const auto own_length = static_cast<double>(density_[k].panel.length);
   for (std::size_t j = 0; j < panels_.size(); ++j) {
     const double apart = j == k ? 0 : static_cast<double>(distance_between(density_, j, k));
     const bool same_side = j == k || (j < k) == beyond_right;
@@ -419,7 +419,7 @@ Estimate<double> Grid<R>::rough_displacement(std::size_t k, Side end, double dis
     }
     size += part;
     // The point itself is a logarithmic singular point beyond the panel.
-    const double length = static_cast<double>(density_[j].panel.length);
+    const auto length = static_cast<double>(density_[j].panel.length);
     const double clear = same_side ? distance + apart + (j == k ? 0 : own_length) : apart - distance;
     const double h = step(panels_[j].per_octave);
     lost += part * (clear > 0 ? std::exp(-2 * std::numbers::pi * strip(clear / length) / h) : 1);

@@ -111,7 +111,7 @@ class Inspection {
   /// Returns the peak of tension between three places of one segment, by parabolas through the highest values. The peak
   /// may be arbitrarily narrow where contact is about to separate.
   std::optional<Value> peak_beside(Value left, Value middle, Value right) const {
-    const std::size_t k = static_cast<std::size_t>(middle.at.segment);
+    const auto k = static_cast<std::size_t>(middle.at.segment);
     const auto height = [&](const Value& v) { return form_.sign(v.at.segment) * v.b.value; };
     for (int i = 0; i < 8; ++i) {
       const R top = height(middle);

@@ -44,8 +44,8 @@ Frame ContactStart::frame() const {
 }
 
 std::vector<ContactInterval> ContactStart::in(const Frame& frame) const {
-  const double shift = to_real<double>((origin - frame.origin) / frame.unit);
-  const double unit = to_real<double>(frame.unit);
+  const auto shift = to_real<double>((origin - frame.origin) / frame.unit);
+  const auto unit = to_real<double>(frame.unit);
   return mapped(zones, [&](const ContactInterval& zone) {
     return ContactInterval{shift + zone.left / unit, shift + zone.right / unit, zone.left_at_edge, zone.right_at_edge};
   });

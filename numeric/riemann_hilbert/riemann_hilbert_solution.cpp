@@ -161,7 +161,7 @@ template <Real R>
 std::vector<UnresolvedGap<R>> RiemannHilbertSolution<R>::unresolved_gaps() const {
   std::vector<UnresolvedGap<R>> result;
   for (const HairlineGap<R>& gap : found_.hairline_gaps) {
-    const double log10_length = static_cast<double>((gap.log_length + log(unit_)) / log(R(10)));
+    const auto log10_length = static_cast<double>((gap.log_length + log(unit_)) / log(R(10)));
     result.push_back({coordinate(contact_set().point_of(gap.anchor)), log10_length});
   }
   return result;

@@ -82,8 +82,7 @@ SignedFundamentalSolution<R>::SignedFundamentalSolution(const RoundedProblem<R>&
       powers_(powers_of(problem, set_)),
       pivots_(pivots_of(problem, set_, powers_)),
       solution_(solution_of(set_, powers_, pivots_)),
-      signs_(set_.segments() + 2, 1),
-      degree_(0) {
+      signs_(set_.segments() + 2, 1) {
   assign_components();
   int sum = 0;  // sum of the powers on the right of the current point: an integer between components
   const auto even = [](int i) { return i % 2 == 0; };

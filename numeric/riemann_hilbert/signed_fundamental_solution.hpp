@@ -98,7 +98,7 @@ class SignedFundamentalSolution {
   std::vector<std::size_t> right_component_;
   FundamentalSolution<R> solution_;
   std::vector<int> signs_;
-  int degree_;
+  int degree_ = 0;
 };
 
 }  // namespace steadyslide::numeric

@@ -25,10 +25,10 @@ std::vector<SupportPiece> pieces_of(const ContactProblem& problem, const Rationa
       profile = coefficients_of<double>(per_compliance * problem.indenter().pieces()[next].profile.composed(1, origin));
       ++next;
     }
-    const double s = to_real<double>(problem.coupled_friction(piece.friction));
+    const auto s = to_real<double>(problem.coupled_friction(piece.friction));
     const double turn = std::atan2(1, std::abs(s)) / std::numbers::pi;
-    const double from = to_real<double>(Rational(piece.left - origin));
-    const double to = to_real<double>(Rational(piece.right - origin));
+    const auto from = to_real<double>(Rational(piece.left - origin));
+    const auto to = to_real<double>(Rational(piece.right - origin));
     // There is no cell between cuts that double cannot distinguish.
     if (from >= to) continue;
     pieces.push_back({from, to, s, s < 0 ? turn : 1 - turn, s < 0 ? 1 - turn : turn, profile, step});
@@ -400,7 +400,7 @@ std::vector<char> inherited(const std::vector<char>& active, const std::vector<i
 }
 
 /// A uniform force on a cell has its centre at the cell's centre. So the load must lie between the outermost centres.
-Mesh around_load(Mesh mesh, double at) {
+Mesh around_load(const Mesh& mesh, double at) {
   std::vector<int> pieces(mesh.size(), 1);
   const auto parts = [](double length, double distance) {
     return static_cast<int>(std::min(length / distance + 1, 1e3));
@@ -418,7 +418,7 @@ CoarseContact contact_around(const Rational& origin, const ContactProblem& probl
   if (problem.load_at()) load.at = to_real<double>(Rational(*problem.load_at() - result.origin));
 
   Mesh mesh(problem, result.origin, cells);
-  if (load.at) mesh = around_load(std::move(mesh), *load.at);
+  if (load.at) mesh = around_load(mesh, *load.at);
   const std::size_t most_cells = static_cast<std::size_t>(most_growth) * static_cast<std::size_t>(cells);
   Equilibrium state;
   std::vector<char> guess;

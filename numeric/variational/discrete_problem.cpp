@@ -14,7 +14,7 @@ SurfaceKernel surface_kernel(const ContactProblem& problem, const Frame& frame) 
       to_real<double>(frame.unit), to_real<double>(*std::max_element(f.begin(), f.end())));
 }
 
-DiscreteProblem::DiscreteProblem(const ContactProblem& problem, CellMesh mesh, FrictionRule rule,
+DiscreteProblem::DiscreteProblem(const ContactProblem& problem, const CellMesh& mesh, FrictionRule rule,
                                  const SurfaceKernel& kernel, double shift)
     : DiscreteProblem(problem, mesh, CellProfile(problem, mesh.frame()), rule, kernel, shift) {}
 

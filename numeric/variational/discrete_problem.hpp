@@ -19,7 +19,7 @@ SurfaceKernel surface_kernel(const ContactProblem& problem, const Frame& frame);
 class DiscreteProblem {
  public:
   /// The damped rule requires a uniform mesh. `shift` is added to s everywhere.
-  DiscreteProblem(const ContactProblem& problem, CellMesh mesh, FrictionRule rule = FrictionRule::galerkin,
+  DiscreteProblem(const ContactProblem& problem, const CellMesh& mesh, FrictionRule rule = FrictionRule::galerkin,
                   const SurfaceKernel& kernel = {}, double shift = 0);
   /// Takes an existing profile in the mesh's frame, so that meshes can share it.
   DiscreteProblem(const ContactProblem& problem, CellMesh mesh, const CellProfile& profile, FrictionRule rule,

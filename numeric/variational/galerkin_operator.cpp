@@ -89,7 +89,7 @@ std::vector<std::complex<double>> GalerkinOperator::spectrum(bool at_end, double
   return result;
 }
 
-GalerkinOperator::GalerkinOperator(const CellMesh& mesh, CellFriction friction, const SurfaceKernel& kernel)
+GalerkinOperator::GalerkinOperator(const CellMesh& mesh, const CellFriction& friction, const SurfaceKernel& kernel)
     : GalerkinOperator(kernels_on(mesh, friction, kernel), couplings_on(mesh, friction, kernel), friction, kernel) {
   if (mesh.is_uniform()) return;
   const std::size_t n = mesh.size();

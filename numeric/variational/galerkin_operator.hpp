@@ -23,7 +23,7 @@ namespace steadyslide::numeric::variational {
 class GalerkinOperator {
  public:
   /// Equations at ends of cells require a uniform mesh.
-  GalerkinOperator(const CellMesh& mesh, CellFriction friction, const SurfaceKernel& kernel = {});
+  GalerkinOperator(const CellMesh& mesh, const CellFriction& friction, const SurfaceKernel& kernel = {});
   /// Returns the operator for pressures on neighbouring cells, with the displacement on the same cells, up to a
   /// constant. The mesh must be uniform.
   GalerkinOperator part(std::size_t first, std::size_t count) const;

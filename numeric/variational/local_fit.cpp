@@ -72,7 +72,7 @@ std::vector<Bin> gathered(const Cells& cells, double place, Side side, const Win
 }
 
 SeriesFit fitted(std::span<const Bin> bins, const LocalSeries& series, double scaling) {
-  const Eigen::Index rows = static_cast<Eigen::Index>(bins.size());
+  const auto rows = static_cast<Eigen::Index>(bins.size());
   const Eigen::Index columns = series.poles + series.terms + 1 + series.remainder + 1;
   SeriesFit result;
   result.freedom = rows - columns;

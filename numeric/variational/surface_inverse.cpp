@@ -123,7 +123,7 @@ std::vector<std::complex<double>> SurfaceInverse::reciprocal(const Kind& kind, c
   return result;
 }
 
-void SurfaceInverse::restrict_to(std::vector<CellRange> zones) {
+void SurfaceInverse::restrict_to(const std::vector<CellRange>& zones) {
   zones_.clear();
   for (const CellRange& cells : zones) {
     const std::size_t length = circle_length(cells.count);

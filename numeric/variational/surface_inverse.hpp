@@ -28,7 +28,7 @@ class SurfaceInverse {
   /// `length` is the length of a cell. The operator must outlive this object.
   SurfaceInverse(const GalerkinOperator& influence, double length);
   /// Restricts the inverse to pressures on these cells.
-  void restrict_to(std::vector<CellRange> zones);
+  void restrict_to(const std::vector<CellRange>& zones);
   /// Computes the pressure whose displacement is approximately r (both over all cells), separately in each zone; up to
   /// a constant of r in each zone, which the other zones and the zone's own load cause.
   void apply(std::span<const double> r, std::span<double> p);

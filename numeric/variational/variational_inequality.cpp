@@ -43,7 +43,7 @@ std::optional<Part> VariationalSolution::contact_part() const {
 std::optional<Part> VariationalSolution::penetrated_part(const variational::DiscreteProblem& support,
                                                          const variational::CellProfile& profile) const {
   const variational::CellMesh& cells = support.mesh();
-  const double ratio = to_real<double>(cells.frame().unit / mesh().frame().unit);
+  const auto ratio = to_real<double>(cells.frame().unit / mesh().frame().unit);
   const auto own = [&, origin = mesh().place(cells.frame().origin)](double xi) { return origin + ratio * xi; };
   const std::size_t n = cells.size();
   std::vector<double> pressure(n), displacement(n);

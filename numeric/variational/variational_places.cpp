@@ -214,7 +214,7 @@ SolvedSingularPoint<double> VariationalSolution::solved_point(const SingularPlac
 
 std::optional<SolvedSingularPoint<double>> VariationalSolution::sharpest_wedge() const {
   std::optional<SolvedSingularPoint<double>> sharpest;
-  const double c = to_real<double>(problem_.elasticity().compliance());
+  const auto c = to_real<double>(problem_.elasticity().compliance());
   auto run = runs_.begin();
   const auto look = [&](const Indenter::Break& at, std::size_t left, std::size_t right) {
     const Rational s = problem_.coupled_friction(left);

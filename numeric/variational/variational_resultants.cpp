@@ -20,7 +20,7 @@
 namespace steadyslide::numeric {
 
 VariationalSolution::MeshLoads::MeshLoads(const variational::DiscreteState& state)
-    : before{0}, centre(0), tilt(state.tilt), approach(state.approach) {
+    : before{0}, tilt(state.tilt), approach(state.approach) {
   const double cell = 1 / static_cast<double>(state.pressure.size());
   double middle = (cell - 1) / 2;
   for (const double p : state.pressure) {
@@ -103,7 +103,7 @@ Resultants<double> VariationalSolution::resultants() const {
     const double before = k == 0 ? 0 : on.before_place(jumps[k - 1]);
     return (k == jumps.size() ? on.before.back() : on.before_place(jumps[k])) - before;
   };
-  const double load = to_real<double>(problem_.load());
+  const auto load = to_real<double>(problem_.load());
   std::vector<Estimate<double>> loads;
   for (std::size_t k = 0; k < f.size(); ++k) loads.push_back({load * share(fine, k), 0});
   Resultants<double> result = resultants_of(loads, problem_.friction().values());
@@ -216,7 +216,7 @@ std::optional<Estimate<double>> VariationalSolution::tilt() const {
 }
 
 Estimate<double> VariationalSolution::load_before(double xi) const {
-  const double load = to_real<double>(problem_.load());
+  const auto load = to_real<double>(problem_.load());
   return load * Estimate<double>{meshes_.front().before_place(xi),
                                  1e-15 + open_error([xi](const MeshLoads& on) { return on.before_place(xi); })};
 }

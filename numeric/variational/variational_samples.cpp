@@ -149,7 +149,7 @@ Sample<double> VariationalSolution::at(const Rational& x) const {
   Sample<double> result{to_real<double>(x), {}, {}, std::nullopt, {}};
   result.traction = {traction(left), traction(right)};
   const auto shear = [&](const Estimate<double>& t, Side side) {
-    const double ratio = to_real<double>(problem_.shear_ratio(problem_.friction().piece(x, side)));
+    const auto ratio = to_real<double>(problem_.shear_ratio(problem_.friction().piece(x, side)));
     return ratio == 0 || t.value == 0 ? Estimate<double>{} : ratio * t;
   };
   result.shear = {shear(result.traction.left, Side::left), shear(result.traction.right, Side::right)};
@@ -288,8 +288,8 @@ std::vector<double> VariationalSolution::shear_transform(const std::vector<doubl
 }
 
 TwoSided<double> VariationalSolution::shear_slope(double xi, const TwoSided<double>& traction) const {
-  const double c = to_real<double>(problem_.elasticity().compliance());
-  const double gamma = to_real<double>(problem_.elasticity().gamma());
+  const auto c = to_real<double>(problem_.elasticity().compliance());
+  const auto gamma = to_real<double>(problem_.elasticity().gamma());
   if (xi < mesh().edges().front() || xi > mesh().edges().back()) {
     ShearRatios ratios(problem_, mesh());
     const variational::SurfaceKernel half_plane;

@@ -106,7 +106,7 @@ class VariationalSolution : public ContactSolution<double> {
   /// The forces on one of the nested meshes.
   struct MeshLoads {
     std::vector<double> before;  ///< the load share left of each cell; the last entry is for all cells
-    double centre;               ///< centre of pressure, xi
+    double centre = 0;           ///< centre of pressure, xi
     double tilt;
     double approach;
     explicit MeshLoads(const variational::DiscreteState& state);

@@ -11,7 +11,7 @@ namespace {
 using FormulaNode = Formula::Node;
 
 const Real50& exact_pi() {
-  static const Real50 value = numeric::pi<Real50>();
+  static const auto value = numeric::pi<Real50>();
   return value;
 }
 

@@ -133,7 +133,7 @@ std::string CoqEquation::text(const ex& e, bool named) const {
     for (std::size_t k = 0; k < e.nops(); ++k) {
       is_negative(e.op(k)) ? minus.push_back(text(-e.op(k), named)) : plus.push_back(text(e.op(k), named));
     }
-    if (plus.empty()) plus.push_back("[0]");
+    if (plus.empty()) plus.emplace_back("[0]");
     return joined(plus, " + ") + (minus.empty() ? "" : " - " + joined(minus, " - "));
   }
   if (GiNaC::is_a<GiNaC::mul>(e)) {

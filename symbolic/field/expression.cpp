@@ -25,7 +25,8 @@ Rational to_rational(const GiNaC::numeric& value) {
 
 std::vector<GiNaC::ex> symbols(const std::string& name, std::size_t count, std::size_t first) {
   std::vector<GiNaC::ex> result;
-  for (std::size_t k = first; k < first + count; ++k) result.push_back(GiNaC::symbol(name + "_" + std::to_string(k)));
+  for (std::size_t k = first; k < first + count; ++k)
+    result.emplace_back(GiNaC::symbol(name + "_" + std::to_string(k)));
   return result;
 }
 

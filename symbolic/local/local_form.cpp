@@ -260,7 +260,7 @@ class Solver {
     }
     describe_integers(solution.particular, all, jump);
     for (int n = 0; n < 3; ++n) {
-      const std::size_t order = static_cast<std::size_t>(n);
+      const auto order = static_cast<std::size_t>(n);
       const ex d = form_.place.right.slopes[order] - form_.place.left.slopes[order];
       const auto at = [&](std::size_t k) { return frame_.field().canonical(solution.particular[k].subs(jump == d)); };
       // all: right and left for log^2, log, 1.

@@ -72,7 +72,7 @@ PolynomialSlope::PolynomialSlope(int order, std::vector<ex> slope, const std::ve
   for (int j = 0; j <= std::max(top - order, -order - 1); ++j) factor_.push_back(quotient(j));
   if (order < 0) {
     for (int j = 0; j < -order - 1; ++j) {
-      free_coefficients_.push_back(GiNaC::symbol("q_" + std::to_string(j)));
+      free_coefficients_.emplace_back(GiNaC::symbol("q_" + std::to_string(j)));
       factor_[static_cast<std::size_t>(j)] += free_coefficients_.back();
     }
     factor_[static_cast<std::size_t>(-order - 1)] -= load_over_pi;

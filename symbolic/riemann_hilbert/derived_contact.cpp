@@ -118,7 +118,7 @@ bool DerivedContact::State::solve() {
   const std::vector<ex> e = symbols("e", places.size());
   const GiNaC::symbol load("P_over_pi");
   std::vector<ex> exact_slope;
-  for (const Rational& a : slope) exact_slope.push_back(to_expression(a));
+  for (const Rational& a : slope) exact_slope.emplace_back(to_expression(a));
   const int order = solution.order();
   const PolynomialSlope derived(order, exact_slope, power_sums(p, e, PolynomialSlope::sums_needed(order, slope.size())),
                                 load);
@@ -150,7 +150,7 @@ bool DerivedContact::State::solve() {
     if (!places[j].is_datum) places[j].rest = values.at(e[j]);
   }
   std::vector<ex> s;
-  for (const Rational& friction : frictions) s.push_back(to_expression(friction));
+  for (const Rational& friction : frictions) s.emplace_back(to_expression(friction));
   const bool positive = solution.sign_on(PhaseField(s), solution.regions()[1]) > 0;
   for (const ex& coefficient : derived.factor()) {
     const cl_F value = evaluate(coefficient, values, format);
@@ -213,13 +213,13 @@ Decimal DerivedContact::traction(const Rational& x) const { return state_->tract
 Derivation DerivedContact::derivation() const {
   const State& s = *state_;
   DerivationInput input{s.solution, {}, {}, {}, {}};
-  for (const Rational& friction : s.frictions) input.frictions.push_back(to_expression(friction));
+  for (const Rational& friction : s.frictions) input.frictions.emplace_back(to_expression(friction));
   for (std::size_t j = 0; j < s.places.size(); ++j) {
     const std::string index = std::to_string(j);
     const std::string datum = s.datum(s.places[j]).str();
     input.places.push_back(s.places[j].is_datum ? Formula{datum, datum} : Formula{"e_" + index, "e_{" + index + "}"});
   }
-  for (const Rational& a : s.slope) input.slope.push_back(to_expression(a));
+  for (const Rational& a : s.slope) input.slope.emplace_back(to_expression(a));
   input.load_over_pi = to_expression(s.problem.load()) / GiNaC::symbol("pi");
   Derivation result;
   result.title = "Contact with the problem's numbers";

@@ -7,7 +7,7 @@ namespace {
 
 std::string trimmed(const std::string& text) {
   const std::size_t first = text.find_first_not_of(' ');
-  return first == text.npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
 }  // namespace
@@ -20,7 +20,7 @@ std::string to_text(const StatementPlace& place) {
 
 std::optional<std::pair<std::string, std::string>> cut(const std::string& text, const std::string& separator) {
   const std::size_t place = text.find(separator);
-  if (place == text.npos) return std::nullopt;
+  if (place == std::string::npos) return std::nullopt;
   return std::pair(trimmed(text.substr(0, place)), trimmed(text.substr(place + separator.size())));
 }
 
@@ -30,7 +30,7 @@ std::vector<std::string> split(const std::string& text, const std::string& separ
   for (std::size_t k = 0; k < text.size(); ++k) {
     const char c = text[k];
     for (const std::string_view pair : {"()", "[]", "{}"}) {
-      if (brackets.find(pair[0]) != brackets.npos) depth += (c == pair[0]) - (c == pair[1]);
+      if (brackets.find(pair[0]) != std::string::npos) depth += (c == pair[0]) - (c == pair[1]);
     }
     if (depth == 0 && text.compare(k, separator.size(), separator) == 0) {
       parts.emplace_back();
@@ -53,7 +53,7 @@ std::vector<StatementSection> statement_sections(std::string_view text, Statemen
     text.remove_prefix(std::min(end + 1, text.size()));
     ++place.line;
     const std::size_t first = line.find_first_not_of(' ');
-    if (first == line.npos || line[first] == '#') continue;
+    if (first == std::string::npos || line[first] == '#') continue;
     const std::string content = line.substr(first);
     if (line.starts_with(file)) {
       place = {content.substr(file.size()), 0};

@@ -165,7 +165,7 @@ class StatementReader : private ExpressionMeaning {
     const auto sides = cut(definition, " = ");
     if (!sides) refuse("`let` gives values", definition);
     const auto& [name, body] = *sides;
-    if (const std::size_t open = name.find('('); open != name.npos) {
+    if (const std::size_t open = name.find('('); open != std::basic_string<char>::npos) {
       if (functions_.contains(name.substr(0, open))) refuse("a function of every text", name.substr(0, open));
       written_[name.substr(0, open)] = {split(name.substr(open + 1, name.size() - open - 2)), body};
     } else {
@@ -195,7 +195,7 @@ class StatementReader : private ExpressionMeaning {
   /// Returns the text with expressions in braces replaced by their values.
   std::string with_values(const std::string& text) {
     const std::size_t open = text.find('{'), close = text.find('}');
-    if (open == text.npos || close == text.npos) return text;
+    if (open == std::string::npos || close == std::string::npos) return text;
     return text.substr(0, open) + canonical_text(value(text.substr(open + 1, close - open - 1))) +
            with_values(text.substr(close + 1));
   }

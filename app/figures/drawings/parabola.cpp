@@ -12,11 +12,11 @@ Figure make_parabola() {
   const Rational s(1, 2);
   const ContactProblem problem = parabola(0, {1}, Rational(1, 50));
   const auto solution = solved(problem);
-  const double load = numeric::to_real<double>(problem.load());
+  const auto load = numeric::to_real<double>(problem.load());
   const auto zone = solution->contact().front();
   const auto points = solution->singular_points();
   const double a = (zone.right.x.value - zone.left.x.value) / 2;
-  const double alpha = numeric::to_real<double>(Exponent::angle(s));
+  const auto alpha = numeric::to_real<double>(Exponent::angle(s));
 
   Series profile{"indenter ψ", Look::line, 2, {}};
   Series surface{"surface {/:Italic u} + {/:Italic C}", Look::line, 1, {}};

@@ -17,7 +17,7 @@ Figure make_sketch() {
 
   // The displacements are known up to a constant: z = 0 is the mean height of the surface's two ends.
   const double level = (scene.surface(-edge) + scene.surface(edge)) / 2;
-  const double c = numeric::to_real<double>(jump);
+  const auto c = numeric::to_real<double>(jump);
   const auto zone = scene.solution->contact().front();
   const double a = zone.left.x.value, b = zone.right.x.value;
   const Series surface{"surface", Look::line, 1, scene.surface_curve(-edge, edge)};

@@ -35,7 +35,7 @@ Values measured(const Halves& halves) {
 }
 
 Values predicted(const Halves& halves, const Number& constant) {
-  const Number pi = numeric::pi<Number>();
+  const auto pi = numeric::pi<Number>();
   return {{"first order",
            Number(4 * constant / (pi * pi) * to_real<Number>(halves.rear * halves.rear - halves.front * halves.front))},
           {"rest", Order{2}}};

@@ -62,7 +62,7 @@ Claim claim() {
              })
       .wrong("the derivative by `s` for that by `alpha`",
              [](Values& p, const ContactProblem& c) {
-               const Number cosine = cos_pi_alpha<Number>(c.coupled_friction(0));
+               const auto cosine = cos_pi_alpha<Number>(c.coupled_friction(0));
                p["derivative"] *= cosine * cosine / numeric::pi<Number>();
              })
       .wrong("more friction at a place is less friction", replaced({{"it is positive", false}}))

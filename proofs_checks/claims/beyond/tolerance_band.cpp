@@ -84,8 +84,8 @@ void check(Findings& findings, const Bound& said, const Band& c) {
   double largest = std::abs(change);
   for (std::size_t k = 0; k < places.size(); ++k) {
     const Eigen::VectorXd left = weights_of(c.mesh, c.mesh.place(places[k]));
-    const double step = to_real<double>(Rational(s[k + 1] - s[k]));
-    const double other = to_real<double>(Rational(c.friction[1].s[k + 1] - c.friction[1].s[k]));
+    const auto step = to_real<double>(Rational(s[k + 1] - s[k]));
+    const auto other = to_real<double>(Rational(c.friction[1].s[k + 1] - c.friction[1].s[k]));
     jumps += step * std::pow(left.dot(q), 2);
     share = std::max(share, std::sqrt(std::max(step, 0.0)) * std::abs(left.dot(q)));
     force -= step * left.dot(forces[0]) - other * left.dot(forces[1]);

@@ -26,7 +26,7 @@ struct DefinitenessLaw {
   double factor = 0.5;
 
   bool definite(const Fall& fall) const {
-    const double cells = static_cast<double>(fall.cells);
+    const auto cells = static_cast<double>(fall.cells);
     return factor * to_real<double>(fall.step) * largest(cells, to_real<double>(fall.c)) < 1;
   }
 };

@@ -25,8 +25,8 @@ R rear_load_by_quadrature(const ContactProblem& p) {
 ///   (2 cos(pi alpha)/pi) int_0^1 v^{-2 alpha}/(1+v^2) dv,   v^2 = (1+x)/(1-x),
 ///     = (cos(pi alpha)/(2 pi)) (digamma(3/4 - alpha/2) - digamma(1/4 - alpha/2)).
 Values rear_loaded(const Rational& s, const Number& alpha, int place = 2) {
-  const Number cosine = cos_pi_alpha<Number>(s);
-  const Number pi = numeric::pi<Number>();
+  const auto cosine = cos_pi_alpha<Number>(s);
+  const auto pi = numeric::pi<Number>();
   const Number share =
       cosine / (2 * pi) * (digamma(Number((3 - 2 * alpha) / 4)) - digamma(Number((1 - 2 * alpha) / 4)));
   const Number smallest =

@@ -40,7 +40,7 @@ Galin galin(const ContactProblem& p) {
   const Number quarter = to_real<Number>(half - alpha(p, 0)) * to_real<Number>(half + alpha(p, 0));
   const auto load = to_real<Number>(p.load());
   const auto radius = to_real<Number>(radius_of(p));
-  const Number pi = numeric::pi<Number>();
+  const auto pi = numeric::pi<Number>();
   Galin t;
   put_half_width(t, sqrt(Number(load * radius / (2 * pi * quarter))), p);
   t.exponents = {half - alpha(p, 0), half + alpha(p, 0)};

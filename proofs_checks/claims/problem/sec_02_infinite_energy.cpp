@@ -17,8 +17,8 @@ namespace {
 /// Returns int sigma:epsilon/2 over radius < r < 2 radius, z > 0.
 double annulus_energy(const numeric::InteriorStress<double>& stress, const Solid& body, double radius) {
   using boost::math::quadrature::gauss;
-  const double nu = to_real<double>(body.poisson());
-  const double young = to_real<double>(body.young());
+  const auto nu = to_real<double>(body.poisson());
+  const auto young = to_real<double>(body.young());
   const auto density = [&](double r, double angle) {
     const auto s = stress.at(Rational(r * std::cos(angle)), Rational(r * std::sin(angle)));
     const double xx = s.xx.value;

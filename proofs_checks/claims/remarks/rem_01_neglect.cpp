@@ -99,7 +99,7 @@ Values powers(const Neglect& c, bool quick) {
 }
 
 Values predicted(const Neglect& c) {
-  const Number pi = numeric::pi<Number>();
+  const auto pi = numeric::pi<Number>();
   const Exponent angle = Exponent::angle(c.s);
   switch (c.what) {
     case What::limit: return {{"loss", Order{2}}, {"shift", Order{1}}, {"loss over s^2", Number(0.5 - 4 / (pi * pi))}};
@@ -107,7 +107,7 @@ Values predicted(const Neglect& c) {
     case What::jump: return {{"jump", to_real<Number>(angle - Exponent::angle(s_front))}};
     default: break;
   }
-  const Number alpha = to_real<Number>(angle);
+  const auto alpha = to_real<Number>(angle);
   const Number ratio = pow(Number((1 + 2 * alpha) / (1 - 2 * alpha)), alpha);
   return {{"peak", Number(cos_pi_alpha<Number>(c.s) * ratio)},
           {"centre", Number(-2 * alpha)},

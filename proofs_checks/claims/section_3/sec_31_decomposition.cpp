@@ -18,8 +18,8 @@ struct UnitSolution {
 
 /// Returns -(log 2 + C + (psi(1/2+alpha) + psi(1/2-alpha))/2)/pi with Euler's constant C and the digamma function psi.
 Number punch_constant(const Rational& s) {
-  const Number plus = to_real<Number>(half + Exponent::angle(s));
-  const Number minus = to_real<Number>(half - Exponent::angle(s));
+  const auto plus = to_real<Number>(half + Exponent::angle(s));
+  const auto minus = to_real<Number>(half - Exponent::angle(s));
   return -(log(Number(2)) + (digamma(plus) + digamma(minus)) / 2 - digamma(Number(1))) / numeric::pi<Number>();
 }
 

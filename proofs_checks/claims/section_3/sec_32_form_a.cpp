@@ -54,7 +54,7 @@ struct FormA {
 };
 
 FormA form_a(const Case& c) {
-  const Number cosine = cos_pi_alpha<Number>(c.s);
+  const auto cosine = cos_pi_alpha<Number>(c.s);
   return {.inverse = {}, .lower = cosine * cosine, .upper = 1};
 }
 

@@ -45,7 +45,7 @@ Values predicted(const JumpsOnCells& c, double factor, bool zero_mean = true) {
   if (c.steps.jumps.size() > 1) return {{"several", 0.0}};
   const Eigen::MatrixXd logarithm = symmetric_part(c.mesh, operator_of(c.steps, c.mesh), false);
   const double largest = largest_point_value(logarithm, weights_of(c.mesh, c.mesh.place(c.steps.jumps[0])), zero_mean);
-  const double step = to_real<double>(c.steps.s[1] - c.steps.s[0]);
+  const auto step = to_real<double>(c.steps.s[1] - c.steps.s[0]);
   return {{"one", std::min(1.0, 1 + factor * step * largest)}};
 }
 

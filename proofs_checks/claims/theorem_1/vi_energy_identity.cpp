@@ -168,7 +168,7 @@ auto with(const EnergyFormula& formula) {
 }  // namespace
 
 Claim claim() {
-  const Real50 pi = numeric::pi<Real50>();
+  const auto pi = numeric::pi<Real50>();
   return compared<CellForces>("vi-energy-identity")
       .cases(forces)
       .precision(Precision::in_double)

@@ -81,7 +81,7 @@ CaseList<ActionAt> actions(const Context& context) {
 Values said(const ActionAt& c, std::optional<WrongSymbol> wrong = {}) {
   const int digits = static_cast<int>(numeric::Digits::hundred) + 10;
   const symbolic::Decimal decimal = local_action_value(c.action, c.x, digits, wrong);
-  const Number value = to_real<Number>(decimal.value);
+  const auto value = to_real<Number>(decimal.value);
   Values values{{"tanh-sinh", value}};
   if (c.action.logs == 0) values.add({"trapezoidal", value});
   return values;

@@ -105,7 +105,7 @@ Values touch(const JumpCase& touching) {
 /// Returns the predictions with alpha = arctan(s/gamma)/pi.
 Values predicted(const JumpCase& c, const Rational& gamma = 1) {
   if (c.examined == Examined::touch) return {{"touch", Number(0)}, {"vanishes", true}};
-  const Number beta =
+  const auto beta =
       to_real<Number>(Exponent::angle(c.s(Side::left) / gamma) - Exponent::angle(c.s(Side::right) / gamma));
   if (c.examined == Examined::on_cells) return {{"left cells", beta}, {"right cells", beta}, {"error bar", Number(0)}};
   Values values{{"power", beta}, {"unbounded", c.rises()}, {"equation", Number(0)}, {"theta", true}};

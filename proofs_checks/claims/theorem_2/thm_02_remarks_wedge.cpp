@@ -111,7 +111,7 @@ Claim claim() {
       })
       .predicted([](const CornerCase& c) -> Values {
         if (c.examined == Examined::notch) return {{"inside", Number(c.trend > 0 ? 1 : 0)}};
-        const Number s = to_real<Number>(c.s());
+        const auto s = to_real<Number>(c.s());
         const Number coefficient = c.wedge() / (1 + s * s);
         if (c.examined == Examined::on_cells) return {{"on cells", coefficient}};
         return {{"left", coefficient}, {"right", coefficient}, {"step", Number(s / (1 + s * s))}};

@@ -7,7 +7,7 @@ namespace {
 CornerForm at_wedge_and_jump(const SolvedCorner& c) {
   const Rational rear = s_of(c.problem, 0);
   const Rational front = s_of(c.problem, 1);
-  const Number constant = to_real<Number>(1 / (front - rear));
+  const auto constant = to_real<Number>(1 / (front - rear));
   return {.power = to_real<Number>(Exponent::angle(rear) - Exponent::angle(front)),
           .step = {constant, constant},
           .cosine = {cos_pi_alpha<Number>(rear), cos_pi_alpha<Number>(front)}};

@@ -73,7 +73,7 @@ enum class End { edge, free };
 /// on the left.
 Values powers(End end, Side contact, const ContactProblem& problem) {
   const Exponent angle = alpha(problem, 0);
-  const Number power = to_real<Number>((end == End::edge ? -half : half) + (contact == Side::right ? -angle : angle));
+  const auto power = to_real<Number>((end == End::edge ? -half : half) + (contact == Side::right ? -angle : angle));
   return {{"power", power}, {"cells", power}};
 }
 

@@ -6,7 +6,7 @@ namespace {
 
 CornerForm at_wedge(const SolvedCorner& c) {
   const Rational s = s_of(c.problem, 0);
-  const Number over = to_real<Number>(1 / (1 + s * s));
+  const auto over = to_real<Number>(1 / (1 + s * s));
   return {.log_factor = over / numeric::pi<Number>(), .step = {0, to_real<Number>(s) * over}};
 }
 
@@ -23,7 +23,7 @@ Claim claim() {
       .wrong("`H(c-x)` instead of `H(x-c)`", [](CornerForm& form) { std::swap(form.step[0], form.step[1]); })
       .wrong("`1/(1+s^2)` missing",
              [](CornerForm& form, const SolvedCorner& c) {
-               const Number s = to_real<Number>(s_of(c.problem, 0));
+               const auto s = to_real<Number>(s_of(c.problem, 0));
                form.log_factor *= 1 + s * s;
                form.step[1] *= 1 + s * s;
              })

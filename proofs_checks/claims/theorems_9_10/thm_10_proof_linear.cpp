@@ -18,7 +18,7 @@ const Rational k(3, 2);
 
 /// Returns a = -pi k (1 - times alpha).
 Number constant(const FrictionValue& c, int times) {
-  const Number alpha = to_real<Number>(Exponent::angle(c.s));
+  const auto alpha = to_real<Number>(Exponent::angle(c.s));
   return -numeric::pi<Number>() * to_real<Number>(k) * (1 - times * alpha);
 }
 

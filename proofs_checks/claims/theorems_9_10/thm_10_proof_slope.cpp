@@ -20,7 +20,7 @@ Number sine(const Rational& s) { return 1 / sqrt(Number(1 + to_real<Number>(s * 
 /// Returns d^p/sine minus the power series that comes from ]1, oo[.
 Number slope_beyond(const Rational& s, const Rational& distance, const Number& sine) {
   const Number p = -to_real<Number>(half + Exponent::angle(s));
-  const Number d = to_real<Number>(distance);
+  const auto d = to_real<Number>(distance);
   Number series = 0;
   Number term = 1;
   for (int k = 0; abs(term) > numeric::epsilon<Number>() / 100; ++k, term *= -d) series += term / (k - p);

@@ -71,7 +71,7 @@ CellMesh random_cells(Random& random, const ContactProblem& problem, Cells cells
       const std::vector<Rational>& jumps = problem.friction().jumps();
       const Rational c = jumps[random.below(jumps.size())];
       const double smallest = std::pow(10.0, -3.0 - static_cast<double>(random.below(5)));
-      const double left = to_real<double>((-1 - c) / 2);
+      const auto left = to_real<double>((-1 - c) / 2);
       return {problem, c, numeric::variational::graded_edges(left, left + 1, smallest, 3, 0.2)};
     }
     default: return {problem, count};

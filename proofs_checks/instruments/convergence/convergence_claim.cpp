@@ -97,8 +97,8 @@ class Comparison {
     const Quantity excludes{"error bar over the distance to the exponent with `alpha` of the other sign", {}, 1};
     for (const ReadExponent& read : study_.exponents) {
       findings_.begin_case("x = " + std::to_string(read.x));
-      double right = to_real<double>(read.derived);
-      double wrong = to_real<double>(read.reversed);
+      auto right = to_real<double>(read.derived);
+      auto wrong = to_real<double>(read.reversed);
       if (predicted_.angle_reversed) std::swap(right, wrong);
       findings_.compare(bar, read.found.error);
       findings_.compare(agrees, std::abs(read.found.value - right) / read.found.error);

@@ -56,7 +56,7 @@ std::shared_ptr<const VariationalSolution> on_cells(const ContactProblem& proble
 
 OnMesh on_mesh(const ContactProblem& problem, const VariationalSolution& solution, std::size_t cells) {
   OnMesh result{cells, solution.cell_length(), {{}, resultants_of(problem, solution), {}}};
-  const double middle = to_real<double>((problem.indenter().left() + problem.indenter().right()) / 2);
+  const auto middle = to_real<double>((problem.indenter().left() + problem.indenter().right()) / 2);
   for (const SingularPlace& place : solution.places()) {
     if (place.is_end()) result.solved.ends.push_back({middle + place.x, place.exact});
   }
@@ -82,7 +82,7 @@ std::vector<ReadExponent> read_exponents(const ContactProblem& problem, const Va
                                          StudyPlan::Exponents which) {
   std::vector<ReadExponent> result;
   if (which == StudyPlan::Exponents::none) return result;
-  const double middle = to_real<double>((problem.indenter().left() + problem.indenter().right()) / 2);
+  const auto middle = to_real<double>((problem.indenter().left() + problem.indenter().right()) / 2);
   std::set<SingularKind> kinds;
   for (const SingularPlace& place : solution.places()) {
     if (!place.exponent || place.exponent->sign() == 0) continue;

@@ -17,7 +17,7 @@ double chebyshev(std::size_t k, double x) { return std::cos(static_cast<double>(
 
 /// Returns the antiderivative of T_k at x.
 double chebyshev_integral(std::size_t k, double x) {
-  const double n = static_cast<double>(k);
+  const auto n = static_cast<double>(k);
   if (k == 0) return x;
   if (k == 1) return x * x / 2;
   return chebyshev(k + 1, x) / (2 * (n + 1)) - chebyshev(k - 1, x) / (2 * (n - 1));

@@ -102,7 +102,7 @@ Shortfalls friction_law(const SolvedContact& larger, const SolvedContact& smalle
   const double unit = std::abs(mean_of_s(larger.problem, smaller).value - mean.value);
   if (unit < 1e-9) return {};
   if (larger.problem.load_at()) {
-    const double slope = to_real<double>(usual_slope(larger.problem));
+    const auto slope = to_real<double>(usual_slope(larger.problem));
     return {{"tilt", not_below(method, *larger.solution->tilt(), *smaller.solution->tilt(), slope * unit)}};
   }
   Shortfalls all{{"centre", centres_not_in_order(larger, smaller) / unit},

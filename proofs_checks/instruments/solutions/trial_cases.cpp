@@ -135,7 +135,7 @@ Trial with_ends(const std::vector<std::pair<bool, bool>>& edges) {
     if (left_edge) pieces.push_back({left, Polynomial()});
     if (right_edge) pieces.push_back({right, Polynomial()});
     jumps.push_back(from + width / 2);
-    friction.push_back(Rational(1, static_cast<long>(friction.size() + 1)));
+    friction.emplace_back(1, static_cast<long>(friction.size() + 1));
     zones.push_back({Trial::in_frame(left), Trial::in_frame(right), left_edge, right_edge});
   }
   pieces.push_back({4, Polynomial()});
