@@ -30,12 +30,7 @@ std::vector<Ball> SegmentMoments::of_weights(const ContactSet& set, std::size_t 
 SegmentMoments::SegmentMoments(const ContactSet& set, std::size_t segment, const std::vector<ContactPanel>& panels,
                                const std::vector<Ball>& moments_of_weights, const BallPolynomial& polynomial,
                                const std::vector<Ball>& sizes, Bits bits)
-    : bits_(bits),
-      half_length_(set.length(segment) / Ball(2)),
-      nodes_(0),
-      size_(0, 64),
-      remainder_(0, 64),
-      reach_(0, 64) {
+    : bits_(bits), half_length_(set.length(segment) / Ball(2)), size_(0, 64), remainder_(0, 64), reach_(0, 64) {
   const BallPolynomial around = shifted(polynomial, set.x(segment) + half_length_);
   for (std::size_t k = 0; k < terms(bits_); ++k) {
     Ball sum(0, bits_);

@@ -32,7 +32,7 @@ class SegmentMoments {
  private:
   Bits bits_;
   Ball half_length_;
-  std::size_t nodes_;  ///< number of nodes; sums that would cost more are not made
+  std::size_t nodes_ = 0;  ///< number of nodes; sums that would cost more are not made
   std::vector<Ball> moments_;
   Ball size_;       ///< at least sum |w p|
   Ball remainder_;  ///< remainder of the rules for |1/(D +- y)| <= 1
