@@ -2,7 +2,9 @@
 """quality.py [--check] [--output FILE]: writes docs/quality.md from the results that ./check left in build/*/Testing/*.xml.
 
 Each row of ROWS names tests and the numbers in their outputs, which are added. Of a test that ran several times the last result
-counts. A row with a test that failed or did not run has no figure. --check only looks whether each row has its tests.
+counts. A row with a test that failed, or with some tests that did not run, has no figure. A row of which no test ran here keeps the
+figure and the commit that the page has. The commit is that of the tree: run this before the tree changes. --check only looks
+whether each row has its tests.
 
 Exit code: 0 written, 1 written, and a row has no figure, 2 a row of this build without tests or a wrong argument.
 """
@@ -69,12 +71,12 @@ ROWS = [
 
 PAGE = """# Evidence
 
-What was run for version {version}, with the figures of these runs. `./check` and the commands below leave their results in `build/`, and
-`tests/project/quality.py` makes this page of them. The times are for two cores: `./check --all` takes at most 75 minutes, a full set
+What was run for version {version}, with the figures of these runs and the commit that was tested. `./check` and the commands below leave
+their results in `build/`, and `tests/project/quality.py` makes this page of them. The times are for two cores: `./check --all` takes at most 75 minutes, a full set
 (`./check --full NAME`) at most 40. `ctest --preset tests -N -L full` lists the full sets.
 
-| evidence | what it shows | command | figure |
-|---|---|---|---|
+| evidence | what it shows | command | commit | figure |
+|---|---|---|---|---|
 {rows}
 
 {ending}
@@ -105,6 +107,14 @@ def selected(tests, label, pattern):
     return [name for name, labels in tests.items() if re.search(pattern, name) and (label in labels if label else not labels & long)]
 
 
+def rows_of(page):
+    """Returns the commit and the figure of each row of a page that exists."""
+    if not page.exists():
+        return {}
+    cells = [line.strip("| ").split(" | ") for line in page.read_text(encoding="utf-8").splitlines() if line.startswith("| ")]
+    return {row[0]: tuple(row[3:]) for row in cells if len(row) == 5}
+
+
 class Figure(dict):
     """The numbers of a row by name, for str.format_map."""
 
@@ -131,20 +141,27 @@ def main():
         print("\n".join(f"{kind}: no test" for kind in empty) or f"{len(ROWS)} kinds of evidence")
         return 2 if empty else 0
     results = {build: results_of(build) for build in tests}
+    commit = subprocess.run(["git", "-C", ROOT, "describe", "--always", "--dirty"], capture_output=True, text=True, check=True).stdout.strip()
+    before = rows_of(options.output)
     wrong, skipped, lines = [], set(), []
     for kind, shows, build, label, pattern, command, figure in ROWS:
         names = selected(tests[build], label, pattern)
         found = {name: results[build].get(name, ("not run", "")) for name in names}
         skipped.update(name for name, (status, _) in found.items() if status == "notrun")
         without = [f"{kind}: {name}: {status}" for name, (status, _) in found.items() if status not in ("run", "notrun")]
-        try:
-            if without or not names:
-                raise ValueError("not run" if len(without) == len(names) else f"{len(without)} of {len(names)} tests failed or did not run")
-            figures = figure.format_map(Figure([output for status, output in found.values() if status == "run"]))
-        except ValueError as error:
-            figures = str(error)
-            wrong += without or [f"{kind}: {error}"]
-        lines.append(f"| {kind} | {shows} | `{command}` | {figures} |")
+        if all(name not in results[build] for name in names):
+            here = before.get(kind, ("", "not run"))
+            wrong += [] if here[0] else [f"{kind}: not run"]
+        elif without:
+            here = commit, f"{len(without)} of {len(names)} tests failed or did not run"
+            wrong += without
+        else:
+            try:
+                here = commit, figure.format_map(Figure([output for status, output in found.values() if status == "run"]))
+            except ValueError as error:
+                here = commit, str(error)
+                wrong.append(f"{kind}: {error}")
+        lines.append(f"| {kind} | {shows} | `{command}` | {here[0]} | {here[1]} |")
     version = re.search(r"project\(steadyslide VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
     ending = f"Skipped, because a program is missing: {', '.join(sorted(skipped))}." if skipped else "No test was skipped."
     options.output.write_text(PAGE.format(version=version, rows="\n".join(lines), ending=ending), encoding="utf-8")
