@@ -30,7 +30,7 @@ std::pair<std::size_t, std::size_t> lacked(const Panel& panel, const SolutionTex
     if (std::stod(sample.gap.value) > 0) continue;
     for (const auto limit : {&LimitText::left, &LimitText::right}) {
       const double tractions[] = {-std::stod((sample.traction.*limit).value), std::stod((sample.shear.*limit).value)};
-      for (const std::size_t k : {0, 1}) {
+      for (std::size_t k = 0; k < 2; ++k) {
         if (!std::isfinite(tractions[k])) continue;
         ++all;
         lacked += !has_point(panel.series[k], std::stod(sample.x), factor * tractions[k]);
@@ -57,12 +57,12 @@ TEST_CASE("the curves are the samples of the result, for every method") {
     double (*psi)(double);
     std::string method, exponents;
   };
-  for (const auto& [file, wanted, psi, method, exponents] :
-       {Drawn{"two_bumps.toml", {}, bumps, "riemann-hilbert", "0.491 0.563"},
-        {"two_bumps.toml", on_cells, bumps, "variational", ""},
-        {"two_coatings_backward.toml", proved, flat, "closed-form", "0.0471 exponent"},
-        {"three_jumps.toml", {}, flat, "closed-form", "−0.532 −0.0894 0.121 −0.0628 −0.437"}}) {
-    CAPTURE(file);
+  for (const Drawn& drawn : {Drawn{"two_bumps.toml", {}, bumps, "riemann-hilbert", "0.491 0.563"},
+                             {"two_bumps.toml", on_cells, bumps, "variational", ""},
+                             {"two_coatings_backward.toml", proved, flat, "closed-form", "0.0471 exponent"},
+                             {"three_jumps.toml", {}, flat, "closed-form", "−0.532 −0.0894 0.121 −0.0628 −0.437"}}) {
+    const auto& [file, wanted, psi, method, exponents] = drawn;
+    CAPTURE(drawn.file);
     const SolutionText solution = solved_with_curve(example(file), wanted);
     const Figure figure = solution_figure(example(file), solution);
     CHECK(figure.title.starts_with(std::string(file) + ", load "));
