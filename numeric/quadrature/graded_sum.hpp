@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "numeric/number/real.hpp"
@@ -25,6 +26,7 @@ class GradedSum {
     R end;
     std::vector<R> y;  ///< y of its sources
     std::vector<R> f;
+    std::vector<double> rounding = {};  ///< the errors of f that the sum of absolute values includes; empty: 0
   };
   GradedSum() = default;
   /// Takes the panels, which begin at y = 0.
@@ -87,6 +89,7 @@ class GradedSum {
       for (std::size_t i = 0; i < panel.y.size(); ++i) {
         const R inverse = 1 / panel.y[i];
         next.add(panel.f[i] * inverse, inverse);
+        if (!panel.rounding.empty()) next.size += panel.rounding[i] * static_cast<double>(inverse);
       }
       beyond_.push_back(std::move(next));
     }
@@ -98,6 +101,7 @@ class GradedSum {
       const Panel& panel = panels_[before_.size() - 1];
       Series next = before_.back();
       for (std::size_t i = 0; i < panel.y.size(); ++i) next.add(panel.f[i], panel.y[i]);
+      next.size = std::accumulate(panel.rounding.begin(), panel.rounding.end(), next.size);
       before_.push_back(std::move(next));
     }
     return before_[count];

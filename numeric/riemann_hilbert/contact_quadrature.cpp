@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "numeric/cauchy/second_kind.hpp"
 #include "numeric/number/compensated_sum.hpp"
@@ -111,26 +112,28 @@ std::vector<R> ContactQuadrature<R>::weights_beside(std::size_t component, std::
 }
 
 template <Real R>
-std::vector<R> ContactQuadrature<R>::density(std::size_t slope, const R* weights, std::size_t first,
-                                             std::size_t count) const {
-  std::vector<R> result;
+auto ContactQuadrature<R>::density(std::size_t slope, const R* weights, std::size_t first, std::size_t count) const
+    -> Density {
+  Density result{std::vector<R>(count, R(0)), std::vector<double>(count, 0)};
   const RoundedProblem<R>& problem = y_->problem();
-  result.reserve(count);
-  for (std::size_t i = first; i < first + count; ++i) {
-    const std::size_t own = y_->slope_at(static_cast<std::size_t>(nodes_[i].segment));
-    const R& x = nodes_[i].node.x;
-    result.push_back(own == slope ? R(0) : weights[i - first] * (problem.slope(own, x) - problem.slope(slope, x)));
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t own = y_->slope_at(static_cast<std::size_t>(nodes_[first + i].segment));
+    if (own == slope) continue;
+    const R& x = nodes_[first + i].node.x;
+    result.values[i] = weights[i] * (problem.slope(own, x) - problem.slope(slope, x));
+    const double size = problem.slope_size(own, x) + problem.slope_size(slope, x);
+    result.rounding[i] = abs(static_cast<double>(weights[i])) * size / 4;
   }
   return result;
 }
 
 template <Real R>
-const std::vector<R>& ContactQuadrature<R>::density(std::size_t slope, std::size_t component) const {
+auto ContactQuadrature<R>::density(std::size_t slope, std::size_t component) const -> const Density& {
   const bool has_pivots = !y_->pivots().empty();
-  std::vector<R>& result = has_pivots ? last_density_ : densities_[slope];
+  Density& result = has_pivots ? last_density_ : densities_[slope];
   if (nodes_.empty()) return result;
   if (!has_pivots) {
-    if (!result.empty()) return result;
+    if (!result.values.empty()) return result;
     if (densities_.size() * nodes_.size() > most_kept && slope != last_slope_) densities_[last_slope_] = {};
     last_slope_ = slope;
     return result = density(slope, node_weights_.data(), 0, nodes_.size());
@@ -138,11 +141,11 @@ const std::vector<R>& ContactQuadrature<R>::density(std::size_t slope, std::size
   if (last_component_ != component || last_weights_.empty()) {
     last_component_ = component;
     last_weights_ = weights_beside(component, 0, y_->set().segments());
-    result.clear();
+    result = {};
   }
-  if (last_slope_ != slope) result.clear();
+  if (last_slope_ != slope) result = {};
   last_slope_ = slope;
-  if (result.empty()) result = density(slope, last_weights_.data(), 0, nodes_.size());
+  if (result.values.empty()) result = density(slope, last_weights_.data(), 0, nodes_.size());
   return result;
 }
 
@@ -165,7 +168,7 @@ const DistantSum<R>* ContactQuadrature<R>::distant_sum(const Panel& panel, std::
 
 template <Real R>
 GradedSum<R>* ContactQuadrature<R>::graded_sum(std::size_t segment, Side end, std::size_t slope,
-                                               const R* density) const {
+                                               const Density& density) const {
   if constexpr (!std::same_as<R, double>) {
     constexpr std::size_t many_panels = 48;
     const std::size_t first = first_panel_[segment];
@@ -178,10 +181,12 @@ GradedSum<R>* ContactQuadrature<R>::graded_sum(std::size_t segment, Side end, st
       for (std::size_t n = 0; n < count; ++n) {
         const Panel& panel = panels_[from_left ? first + n : first + count - 1 - n];
         const R& begin = from_left ? panel.rule.part.from_left : panel.rule.part.from_right;
-        auto& made = panels.emplace_back(typename GradedSum<R>::Panel{begin, begin + panel.rule.part.length, {}, {}});
+        auto& made =
+            panels.emplace_back(typename GradedSum<R>::Panel{begin, begin + panel.rule.part.length, {}, {}, {}});
         for (std::size_t i = panel.first; i < panel.first + panel.rule.rule->size(); ++i) {
           made.y.push_back(from_left ? nodes_[i].node.from_left : nodes_[i].node.from_right);
-          made.f.push_back(density[i - panels_[first].first]);
+          made.f.push_back(density.values[i]);
+          made.rounding.push_back(density.rounding[i]);
         }
       }
       graded.sum = GradedSum<R>(std::move(panels));
@@ -193,14 +198,14 @@ GradedSum<R>* ContactQuadrature<R>::graded_sum(std::size_t segment, Side end, st
 
 template <Real R>
 auto ContactQuadrature<R>::local_sum(std::size_t slope, std::size_t component, const SurfacePoint<R>& at,
-                                     const std::vector<R>& density) const -> const Local* {
+                                     const Density& density) const -> const Local* {
   if constexpr (!std::same_as<R, double>) {
     constexpr std::size_t worth_a_series = 24;
     const ContactSet<R>& set = y_->set();
     const auto segments = static_cast<std::ptrdiff_t>(set.segments());
     if (y_->pivots().empty() || at.segment < 0 || at.segment >= segments) return nullptr;
     if (local_.segment != at.segment || local_.component != component || local_.slope != slope) {
-      local_ = {at.segment, component, slope, 0, R(0), R(0), {}, {}};
+      local_ = {at.segment, component, slope, 0, R(0), R(0), {}, {}, 0};
     }
     if (++local_.asked < worth_a_series) return nullptr;
     if (!local_.is_far.empty()) return &local_;
@@ -216,7 +221,8 @@ auto ContactQuadrature<R>::local_sum(std::size_t slope, std::size_t component, c
       local_.is_far[k] = 1;
       for (std::size_t i = first_node(k); i < first_node(k + 1); ++i) {
         const R d = between + (is_right ? nodes_[i].node.from_left : nodes_[i].node.from_right);
-        local_.sum.add(density[i], d / local_.length, is_right);
+        local_.sum.add(density.values[i], d / local_.length, is_right);
+        local_.rounding += density.rounding[i] / static_cast<double>(d);
       }
     };
     R between = set.length(here) - local_.begin - local_.length;
@@ -230,8 +236,8 @@ auto ContactQuadrature<R>::local_sum(std::size_t slope, std::size_t component, c
 
 template <Real R>
 Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t slope, std::size_t component,
-                                               const SurfacePoint<R>& at, const R& between, const R* weights,
-                                               const R* density) const {
+                                               const SurfacePoint<R>& at, const R& between, const R* density,
+                                               const double* rounding) const {
   const SegmentPart<R>& part = panel.rule.part;
   const UnitRule<R>& rule = *panel.rule.rule;
   const bool panel_is_right = at.segment < static_cast<std::ptrdiff_t>(part.segment);
@@ -255,6 +261,7 @@ Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t s
         size += abs(static_cast<double>(term));
       }
     }
+    size += std::accumulate(rounding, rounding + count, 0.0) / static_cast<double>(gap);
   } else {
     // Integrate phi(y) y^a over the unit interval. y is measured from the end that faces the point; a power is at this
     // end: int y^a (phi(y) - phi(-d))/(y + d) + phi(-d) int y^a/(y + d), the last integral is the function of the
@@ -270,10 +277,10 @@ Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t s
     const RoundedProblem<R>& problem = y_->problem();
     const std::size_t own = y_->slope_at(part.segment);
     phi *= y_->traction_factor(part.segment, component);
-    // Near a break g - g_k is a small difference, so the rounding of both terms matters.
-    const auto slope_size = [&](const R& x) { return (problem.slope_size(own, x) + problem.slope_size(slope, x)) / 4; };
-    const double phi_size = abs(static_cast<double>(phi)) * slope_size(at.node.x);
-    phi *= problem.slope(own, at.node.x) - problem.slope(slope, at.node.x);
+    const R& x = at.node.x;
+    const double slope_size = problem.slope_size(own, x) + problem.slope_size(slope, x);
+    const double phi_size = abs(static_cast<double>(phi)) * slope_size / 4;
+    phi *= problem.slope(own, x) - problem.slope(slope, x);
     const R scaled = phi * part.length;
     const double scaled_size = phi_size * static_cast<double>(part.length);
     for (std::size_t i = 0; i < count; ++i) {
@@ -281,9 +288,8 @@ Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t s
       const R to_node = between + (panel_is_right ? node.from_left : node.from_right);
       const R term = (density[i] - scaled * rule.weights[i]) / to_node;
       sum += term;
-      const double density_size = abs(static_cast<double>(weights[i])) * slope_size(node.x);
       size += abs(static_cast<double>(term)) +
-              (density_size + scaled_size * static_cast<double>(rule.weights[i])) / static_cast<double>(to_node);
+              (rounding[i] + scaled_size * static_cast<double>(rule.weights[i])) / static_cast<double>(to_node);
     }
     const R rest =
         gap == 0 ? regular_second_kind(panel.rule.power, part.length) : second_kind::left_of(panel.rule.power, d);
@@ -295,14 +301,13 @@ Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t s
 
 template <Real R>
 Estimate<R> ContactQuadrature<R>::sum_of_panels(std::size_t slope, std::size_t component, const SurfacePoint<R>& at,
-                                                std::size_t first, std::size_t end, const std::vector<R>& weights,
-                                                const std::vector<R>& density) const {
+                                                std::size_t first, std::size_t end, const Density& density) const {
   EstimateSum<R> total;
   const ContactSet<R>& set = y_->set();
   const Local* const local = local_sum(slope, component, at, density);
   if (local) {
     const R value = local->sum.value((at.node.from_left - local->begin) / local->length) / local->length;
-    total.add({value, R(local->sum.size()) / local->length});
+    total.add({value, R(local->sum.size()) / local->length + local->rounding});
   }
   const auto add = [&](std::size_t segment, const R& between) {
     if (segment < first || segment >= end || !set.in_contact(segment) || y_->slope_at(segment) == slope) return;
@@ -310,8 +315,7 @@ Estimate<R> ContactQuadrature<R>::sum_of_panels(std::size_t slope, std::size_t c
     const std::size_t panel = first_panel_[segment];
     std::pair<std::size_t, std::size_t> near{panel, first_panel_[segment + 1]};
     const bool is_right = at.segment < static_cast<std::ptrdiff_t>(segment);
-    if (auto* graded = graded_sum(segment, is_right ? Side::left : Side::right, slope,
-                                  &density[first_node(segment) - first_node(first)])) {
+    if (auto* graded = graded_sum(segment, is_right ? Side::left : Side::right, slope, density)) {
       const auto far = graded->at(between);
       total.add({is_right ? far.value : R(-far.value), R(far.size)});
       near = is_right ? std::pair(panel + far.first, panel + far.end)
@@ -319,7 +323,8 @@ Estimate<R> ContactQuadrature<R>::sum_of_panels(std::size_t slope, std::size_t c
     }
     for (std::size_t k = near.first; k < near.second; ++k) {
       const std::size_t node = panels_[k].first - first_node(first);
-      total.add(panel_cauchy(panels_[k], slope, component, at, between, &weights[node], &density[node]));
+      total.add(
+          panel_cauchy(panels_[k], slope, component, at, between, &density.values[node], &density.rounding[node]));
     }
   };
   R between = at.node.from_right;
@@ -343,9 +348,7 @@ Estimate<R> ContactQuadrature<R>::cauchy(std::size_t slope, const SurfacePoint<R
     if (Cells* const by_cells = cells()) return cauchy_by_cells(*by_cells, slope, at);
   }
   const std::size_t component = y_->component_at(at);
-  const std::vector<R>& f = density(slope, component);
-  const std::vector<R>& weights = y_->pivots().empty() ? node_weights_ : last_weights_;
-  return sum_of_panels(slope, component, at, 0, y_->set().segments(), weights, f);
+  return sum_of_panels(slope, component, at, 0, y_->set().segments(), density(slope, component));
 }
 
 template <Real R>
@@ -379,10 +382,11 @@ Estimate<R> ContactQuadrature<R>::pivot_moment(std::size_t component, const R& t
 template <Real R>
 std::vector<Estimate<R>> ContactQuadrature<R>::difference_moments(std::size_t slope, std::size_t count) const {
   const std::lock_guard lock(*making_);
-  const std::vector<R>& f = density(slope);
+  const Density& f = density(slope);
   std::vector<EstimateSum<R>> sums(count);
-  for (std::size_t i = 0; i < f.size(); ++i) {
-    subtract_powers(sums, node_term<R>(1 / pi<R>(), {f[i], R(0)}), nodes_[i].node.x);
+  for (std::size_t i = 0; i < f.values.size(); ++i) {
+    const Estimate<R> term{f.values[i], 4 * epsilon<R>() * f.rounding[i]};
+    subtract_powers(sums, node_term<R>(1 / pi<R>(), term), nodes_[i].node.x);
   }
   return values_of(sums);
 }

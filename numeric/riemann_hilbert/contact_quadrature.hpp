@@ -53,10 +53,15 @@ class ContactQuadrature {
     std::size_t first;  ///< its first node
   };
 
-  /// Returns eps cos(pi alpha) (g - g_k)/|Y_i| times the rule's weight, at every node of the contact; the other
-  /// overload takes the weights of consecutive nodes.
-  const std::vector<R>& density(std::size_t slope, std::size_t component = 0) const;
-  std::vector<R> density(std::size_t slope, const R* weights, std::size_t first, std::size_t count) const;
+  /// eps cos(pi alpha) (g - g_k)/|Y_i| times the rule's weight, at nodes.
+  struct Density {
+    std::vector<R> values;
+    /// Near a break g - g_k is a small difference: the error from the rounding of g and g_k, in units of 4 epsilon.
+    std::vector<double> rounding;
+  };
+  /// Returns the density at every node of the contact; the other overload takes the weights of consecutive nodes.
+  const Density& density(std::size_t slope, std::size_t component = 0) const;
+  Density density(std::size_t slope, const R* weights, std::size_t first, std::size_t count) const;
   std::size_t first_node(std::size_t segment) const {
     return first_panel_[segment] < panels_.size() ? panels_[first_panel_[segment]].first : nodes_.size();
   }
@@ -64,18 +69,18 @@ class ContactQuadrature {
   std::vector<R> distances_to(std::size_t point, std::size_t first, std::size_t end) const;
   /// Returns the weights of these nodes times (xi - e_i)^-sigma_i.
   std::vector<R> weights_beside(std::size_t component, std::size_t first, std::size_t end) const;
-  /// Takes the weights and the density at the panel's nodes.
+  /// Takes the density and its rounding at the panel's nodes.
   Estimate<R> panel_cauchy(const Panel& panel, std::size_t slope, std::size_t component, const SurfacePoint<R>& at,
-                           const R& between, const R* weights, const R* density) const;
-  /// Sums over the segments first..end-1 one by one, with the weights and the density at their nodes.
+                           const R& between, const R* density, const double* rounding) const;
+  /// Sums over the segments first..end-1 one by one, with the density at their nodes.
   Estimate<R> sum_of_panels(std::size_t slope, std::size_t component, const SurfacePoint<R>& at, std::size_t first,
-                            std::size_t end, const std::vector<R>& weights, const std::vector<R>& density) const;
+                            std::size_t end, const Density& density) const;
 
   /// Returns a panel's moments for far points, in higher precision than double and without pivots. Null until the
   /// number of calls is so large that moments pay off.
   const DistantSum<R>* distant_sum(const Panel& panel, std::size_t slope, const R* density) const;
   /// The same for a segment with many panels, for places beyond that end of the segment.
-  GradedSum<R>* graded_sum(std::size_t segment, Side end, std::size_t slope, const R* density) const;
+  GradedSum<R>* graded_sum(std::size_t segment, Side end, std::size_t slope, const Density& density) const;
 
   /// With pivots: the sum of far segments, as a series in a segment, or in the half of it that belongs to one
   /// component.
@@ -88,11 +93,12 @@ class ContactQuadrature {
     R length = 0;
     std::vector<char> is_far;  ///< for each segment
     LocalSum<R> sum;
+    double rounding = 0;  ///< of the sum, from that of the density
   };
   /// Returns the series for a place, in higher precision than double. Null until the number of consecutive places in
   /// the same segment is so large that the series pays off.
   const Local* local_sum(std::size_t slope, std::size_t component, const SurfacePoint<R>& at,
-                         const std::vector<R>& density) const;
+                         const Density& density) const;
 
   // In double, far panels are summed by cells (contact_quadrature_cells.cpp).
   struct Cells;
@@ -114,7 +120,7 @@ class ContactQuadrature {
   std::vector<R> node_weights_;
   /// Protects all data that is computed at first use, because several threads may evaluate places of one solution.
   std::shared_ptr<std::mutex> making_ = std::make_shared<std::mutex>();
-  mutable std::vector<std::vector<R>> densities_;  ///< computed at first use; of many, only the last is kept
+  mutable std::vector<Density> densities_;  ///< computed at first use; of many, only the last is kept
   struct DistantPanel {
     std::size_t asked = 0;
     DistantSum<R> sum;
@@ -129,7 +135,7 @@ class ContactQuadrature {
   mutable std::size_t last_component_ = 0;
   mutable std::size_t last_slope_ = 0;
   mutable std::vector<R> last_weights_;
-  mutable std::vector<R> last_density_;
+  mutable Density last_density_;
   mutable Local local_;
   mutable std::shared_ptr<Cells> cells_;
   mutable std::size_t evaluations_ = 0;

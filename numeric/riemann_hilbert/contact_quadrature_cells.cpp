@@ -19,7 +19,7 @@ struct ContactQuadrature<R>::Cells {
     std::unique_ptr<const DistantNodes> far;  ///< null if there are few panels
     // For few panels: the density of the last slope.
     std::size_t slope;
-    std::vector<double> density;
+    Density density;
   };
   std::vector<std::unique_ptr<Own>> own;       ///< computed at first use
   std::unique_ptr<const PivotedNodes> others;  ///< null without pivots
@@ -86,8 +86,9 @@ Estimate<R> ContactQuadrature<R>::cauchy_by_cells(Cells& cells, std::size_t slop
   // Adds a near panel, with the weights at its nodes.
   const auto add = [&](const Panel& panel, double gap, const R* weights) {
     if (y_->slope_at(panel.rule.part.segment) == slope) return;
-    const std::vector<R> f = density(slope, weights, panel.first, panel.rule.rule->size());
-    total.add(panel_cauchy(panel, slope, component, at, std::max(gap - start(panel), 0.0), weights, f.data()));
+    const Density f = density(slope, weights, panel.first, panel.rule.rule->size());
+    const double between = std::max(gap - start(panel), 0.0);
+    total.add(panel_cauchy(panel, slope, component, at, between, f.values.data(), f.rounding.data()));
   };
 
   if (own.far) {
@@ -95,11 +96,11 @@ Estimate<R> ContactQuadrature<R>::cauchy_by_cells(Cells& cells, std::size_t slop
       add(panels_[k], gap, &own.weights[panels_[k].first - own.first_node]);
     }));
   } else {
-    if (own.density.empty() || own.slope != slope) {
+    if (own.density.values.empty() || own.slope != slope) {
       own.slope = slope;
       own.density = density(slope, own.weights.data(), own.first_node, own.weights.size());
     }
-    total.add(sum_of_panels(slope, component, at, own.segments.first, own.segments.end, own.weights, own.density));
+    total.add(sum_of_panels(slope, component, at, own.segments.first, own.segments.end, own.density));
   }
   if (!cells.others) return total.value();
   const int sigma = y_->pivots()[component].order;
