@@ -58,6 +58,12 @@ TEST_CASE_TEMPLATE("sums over sources on hundreds of scales", R, Real50, Real100
     }
   }
   GradedSum<R> graded(panels);
+  // Errors as large as the sources double the sum of absolute values.
+  std::vector<Panel> rough = panels;
+  for (Panel& panel : rough) {
+    for (const R& f : panel.f) panel.rounding.push_back(std::abs(static_cast<double>(f)));
+  }
+  GradedSum<R> with_errors(std::move(rough));
   const auto near_sum = [&panels](const R& x, std::size_t first, std::size_t end) {
     Sum<R> sum;
     for (std::size_t k = first; k < end; ++k) {
@@ -75,6 +81,7 @@ TEST_CASE_TEMPLATE("sums over sources on hundreds of scales", R, Real50, Real100
     CHECK(sum.is(far.value + near.value));
     CHECK(near.size + far.size >= (1 - 1e-6) * sum.size);
     CHECK(near.size + far.size <= R(1.2) * sum.size);
+    CHECK(with_errors.at(x).size == doctest::Approx(2 * far.size));
     // Controls: one panel is missing, or the place differs.
     if (far.end > far.first + 1) CHECK_FALSE(sum.is(far.value + near_sum(x, far.first + 1, far.end).value));
     if (x > 0) CHECK_FALSE(sum.is(graded.at(x * (1 + R(1e-20))).value + near.value));
