@@ -130,6 +130,27 @@ TEST_CASE_TEMPLATE("a pivot in each component, or one fundamental solution of al
   }
 }
 
+TEST_CASE_TEMPLATE("a series of far zones includes the errors of small differences of slopes", R, Real50, Real100) {
+  // The slopes 1 and 1 + 1e-20 differ by 1e-20, with an error of about epsilon.
+  const Indenter lands(-3, {{-1, Polynomial({0, 1})}, {1, Polynomial({9})}, {3, Polynomial({0, 1 + 1e-20_r})}});
+  const ContactProblem problem = reduced({0.3_r}, {}, lands, 1);
+  const RoundedProblem<R> rounded(problem, {0, 3}, 1);
+  const ContactSet<R> contact(rounded, {{-1, -1.0 / 3, true, true}, {1.0 / 3, 1, true, true}});
+  JacobiRules<R> rules;
+  const SignedFundamentalSolution<R> y(rounded, contact);
+  REQUIRE(y.pivots().size() == 2);
+  const ContactQuadrature<R> quadrature(y, rules);
+  const SurfacePoint<R> at = beside(contact, 0, Side::right, R(R(1) / 6));
+  const Estimate<R> by_panels = quadrature.cauchy(y.slope_at(0), at);
+  CHECK(static_cast<double>(by_panels.error) > 0.01);
+  CHECK(abs(static_cast<double>(by_panels.value)) < 1e-19);
+  Estimate<R> by_series = by_panels;
+  for (int i = 0; i < 30; ++i) by_series = quadrature.cauchy(y.slope_at(0), at);
+  CHECK(by_series.error != by_panels.error);
+  CHECK(by_series.error >= by_panels.error);
+  CHECK(by_series.error <= 3 * by_panels.error);
+}
+
 TEST_CASE("equal bumps without friction are symmetric, however many there are") {
   for (const int n : {5, 24, 64}) {
     CAPTURE(n);
