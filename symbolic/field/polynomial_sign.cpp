@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "symbolic/field/expression.hpp"
@@ -91,7 +93,7 @@ bool positive_by_coefficients(const Carried& carried) {
   return signs_of_coefficients(face, left).positive;
 }
 
-constexpr int most_boxes = 4000;
+constexpr int most_boxes = 6000;
 
 Rational middle(const ParameterRange& range) {
   if (range.from && range.to) return (*range.from + *range.to) / 2;
@@ -100,31 +102,39 @@ Rational middle(const ParameterRange& range) {
   return 0;
 }
 
-Truth decide(const ex& polynomial, std::vector<Axis> axes, int depth, int& boxes) {
-  if (++boxes > most_boxes) return Truth::unknown;
-  // Treat as separate faces the closed right end of a bounded interval and one point of an axis that is unbounded on
-  // both sides.
-  for (std::size_t k = 0; k < axes.size(); ++k) {
-    ParameterRange& range = axes[k].range;
-    if (range.from && range.to && *range.from < *range.to && range.with_to) {
-      range.with_to = false;
-      std::vector<Axis> face = axes;
-      face[k].range = {range.to, range.to, true, true};
-      const Truth on_face = decide(polynomial, face, depth, boxes);
-      if (on_face != Truth::yes) return on_face;
-    }
-  }
-  const auto halves = [&](std::size_t k) {
+/// A product of intervals.
+struct Box {
+  std::vector<Axis> axes;
+  int depth = 0;  ///< the number of halvings that led to it
+};
+
+/// Decides the sign in one box. Returns nothing if the box must be divided: then it appends the two parts to `boxes`.
+std::optional<Truth> decide(const ex& polynomial, Box box, std::vector<Box>& boxes) {
+  std::vector<Axis>& axes = box.axes;
+  const auto halve = [&](std::size_t k) {
     const ParameterRange range = axes[k].range;
     const Rational cut = middle(range);
-    axes[k].range = {range.from, cut, range.with_from, true};
-    const Truth left = decide(polynomial, axes, depth + 1, boxes);
-    if (left != Truth::yes) return left;
+    ++box.depth;
     axes[k].range = {cut, range.to, false, range.with_to};
-    return decide(polynomial, axes, depth + 1, boxes);
+    boxes.push_back(box);
+    axes[k].range = {range.from, cut, range.with_from, true};
+    boxes.push_back(box);
   };
+  // Treat as separate faces the closed right end of a bounded interval and one point of an axis that is unbounded on
+  // both sides.
+  for (Axis& axis : axes) {
+    ParameterRange& range = axis.range;
+    if (!range.from || !range.to || *range.from >= *range.to || !range.with_to) continue;
+    range.with_to = false;
+    boxes.push_back(box);
+    range = {range.to, range.to, true, true};
+    boxes.push_back(std::move(box));
+    return std::nullopt;
+  }
   for (std::size_t k = 0; k < axes.size(); ++k) {
-    if (!axes[k].range.from && !axes[k].range.to) return halves(k);
+    if (axes[k].range.from || axes[k].range.to) continue;
+    halve(k);
+    return std::nullopt;
   }
   const Carried here = carried(polynomial, axes);
   if (positive_by_coefficients(here)) return Truth::yes;
@@ -144,7 +154,22 @@ Truth decide(const ex& polynomial, std::vector<Axis> axes, int depth, int& boxes
     if (signs_of_coefficients(with_y, here.variables).negative) open.push_back(k);
     ++y;
   }
-  return open.empty() ? Truth::unknown : halves(open[static_cast<std::size_t>(depth) % open.size()]);
+  if (open.empty()) return Truth::unknown;
+  halve(open[static_cast<std::size_t>(box.depth) % open.size()]);
+  return std::nullopt;
+}
+
+/// Decides the last box first. Boxes can be halved thousands of times; recursion would need megabytes of stack.
+Truth decide(const ex& polynomial, std::vector<Axis> axes) {
+  std::vector<Box> boxes{{std::move(axes)}};
+  for (int count = 0; !boxes.empty(); ++count) {
+    if (count == most_boxes) return Truth::unknown;
+    Box next = std::move(boxes.back());
+    boxes.pop_back();
+    const std::optional<Truth> truth = decide(polynomial, std::move(next), boxes);
+    if (truth && *truth != Truth::yes) return *truth;
+  }
+  return Truth::yes;
 }
 
 }  // namespace
@@ -167,8 +192,7 @@ Truth is_positive(const std::string& polynomial, const std::map<std::string, Par
   for (const Axis& axis : axes) names.append(axis.x);
   if (!parsed.is_polynomial(names))
     throw std::domain_error("not a polynomial in parameters with ranges: " + polynomial);
-  int boxes = 0;
-  return decide(parsed, std::move(axes), 0, boxes);
+  return decide(parsed, std::move(axes));
 }
 
 }  // namespace steadyslide::symbolic

@@ -37,6 +37,12 @@ TEST_CASE("signs over intervals, their ends in or out") {
   CHECK(is_positive("x - 1", {{"x", closed(2, 2)}}) == Truth::yes);
 }
 
+TEST_CASE("a zero that halves never hit is undecided, after thousands of boxes within boxes") {
+  CHECK(is_positive("(3*x - 1)^2", {{"x", closed(0, 1)}}) == Truth::unknown);
+  CHECK(is_positive("(3*x - 1)^2 + 1/10^40", {{"x", closed(0, 1)}}) == Truth::yes);
+  CHECK(is_positive("(3*x - 1)^2 - 1/10^40", {{"x", closed(0, 1)}}) == Truth::no);
+}
+
 TEST_CASE("what is no polynomial in parameters with ranges is refused") {
   for (const std::string text : {"1/x", "sqrt(x)", "y", "x +", "sin(x)", ""})
     CHECK_THROWS_AS_MESSAGE(is_positive(text, {{"x", from_zero}}), std::domain_error, text);
