@@ -30,6 +30,8 @@ TEST_CASE("signs over intervals, their ends in or out") {
   CHECK(is_positive("x^2 - 2*x + 999/1000", {{"x", any}}) == Truth::no);
   CHECK(is_positive("1 + s*t + x^2 - x", {{"s", from_zero}, {"t", from_zero}, {"x", any}}) == Truth::yes);
   CHECK(is_positive("s - t", {{"s", from_zero}, {"t", from_zero}}) == Truth::no);
+  // Only the constant is negative, at an end outside the range: no half decides it.
+  CHECK(is_positive("x - 1", {{"x", above_zero}}) == Truth::unknown);
   CHECK(is_positive("(1-nu)*(1+nu)", {{"nu", open(-1, half)}}) == Truth::yes);
   CHECK(is_positive("-(nu - 1)", {{"nu", open(-1, half)}}) == Truth::yes);
   CHECK(is_positive("7/3", {}) == Truth::yes);
@@ -37,7 +39,7 @@ TEST_CASE("signs over intervals, their ends in or out") {
   CHECK(is_positive("x - 1", {{"x", closed(2, 2)}}) == Truth::yes);
 }
 
-TEST_CASE("a zero that halves never hit is undecided, after thousands of boxes within boxes") {
+TEST_CASE("a double zero that no halving hits is undecided, after thousands of halvings") {
   CHECK(is_positive("(3*x - 1)^2", {{"x", closed(0, 1)}}) == Truth::unknown);
   CHECK(is_positive("(3*x - 1)^2 + 1/10^40", {{"x", closed(0, 1)}}) == Truth::yes);
   CHECK(is_positive("(3*x - 1)^2 - 1/10^40", {{"x", closed(0, 1)}}) == Truth::no);
