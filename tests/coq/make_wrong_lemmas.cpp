@@ -1,8 +1,9 @@
-// make_wrong_lemmas DIR: writes for each decided statement the lemma of one of its wrong variants, in a file of its
-// own. Its cofactors leave a remainder.
+// make_wrong_lemmas FILE: writes for each decided statement the lemma of one of its wrong variants. Its cofactors leave a
+// remainder.
 
 #include <fstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "symbolic/coq/coq_lemmas.hpp"
@@ -26,13 +27,12 @@ std::vector<CoqLemma> wrong_lemma(const DecidedStatement& statement, std::size_t
 }  // namespace
 
 int main(int, char** argv) {
-  const std::string folder = argv[1];
+  std::vector<CoqLemma> lemmas;
   std::size_t turn = 0;
   for (const StatementFamily& family : statement_families) {
     for (const DecidedStatement& statement : family.decide()) {
-      const std::vector<CoqLemma> lemma = wrong_lemma(statement, turn++);
-      if (lemma.empty()) continue;
-      std::ofstream(folder + "/wrong_" + std::to_string(turn) + ".v") << coq_file(lemma);
+      for (CoqLemma& lemma : wrong_lemma(statement, turn++)) lemmas.push_back(std::move(lemma));
     }
   }
+  std::ofstream(argv[1]) << coq_file(lemmas);
 }
