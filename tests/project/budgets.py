@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""budgets.py CTEST BUILD: checks that each slow test states its budget, a third of its time limit. Together the tests of ./check --all have
+"""budgets.py CTEST BUILD: checks that each slow test states its budget, a quarter of its time limit. Together the tests of ./check --all have
 at most 75 minutes on two cores, of which the build and the other tests need 17; a test of a full set has at most 40 minutes."""
 
 import json
@@ -12,7 +12,7 @@ wrong = []
 for test in tests:
     properties = {entry["name"]: entry["value"] for entry in test["properties"]}
     for label in minutes.keys() & set(properties.get("LABELS", [])):
-        budget = properties.get("TIMEOUT", float("inf")) / 180
+        budget = properties.get("TIMEOUT", float("inf")) / 240
         minutes[label] += budget * (2 if properties.get("RUN_SERIAL") else properties.get("PROCESSORS", 1)) / 2
         if budget > (40 if label == "full" else 30):
             wrong.append(f"{test['name']}: {budget:g} minutes")
