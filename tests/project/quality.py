@@ -74,7 +74,7 @@ PAGE = """# Evidence
 What was run for version {version}, with the figures of these runs and the commit that was tested. `./check` and the commands below leave
 their results in `build/`, and `tests/project/quality.py` makes this page of them. The times are for two cores: `./check --all` takes at most 75 minutes, a full set
 (`./check --full NAME`) at most 40. `ctest --preset tests -N -L full` lists the full sets.
-The test `numeric` runs on every instruction set of the processor, so the number of assertions depends on the machine.
+The test `numeric` tests the products of powers on each instruction set of the processor, so the number of assertions depends on the machine.
 
 | evidence | what it shows | command | commit | figure |
 |---|---|---|---|---|
