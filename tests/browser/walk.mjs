@@ -1,12 +1,13 @@
 // Walks through pages in Chromium and reports their faults:
 //
-//   walk.mjs [--shots DIR] [--fits SELECTOR] [--pages N] PAGE...     PAGE a file or a URL
+//   walk.mjs [--shots DIR] [--fits SELECTOR] [--pages N] [--parts N] PAGE...     PAGE a file or a URL
 //
 // Each page is opened 1300 and 390 px wide, in light and dark colours, and as it is printed, with everything unfolded.
 // Prints one line with counts for each page, and one line for each fault: an error or a warning on the console, a
 // request that fails or leaves the machine, a page wider than the screen, an issue that axe-core calls serious or
 // critical. Exit code 1 if there is a fault. Before anything is unfolded, --shots keeps pictures and the PDF. The
-// elements that --fits matches have to fit into 1300 x 1600 px, and the page has to print on at most N pages.
+// elements that --fits matches have to fit into 1300 x 1600 px, and the page has to print on at most --pages pages.
+// --parts examines the colours of a long page only in so many parts of 800 elements, which are spread over the page.
 
 import { mkdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -18,8 +19,12 @@ import { chromium } from "playwright-core";
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const { values: options, positionals: pages } = parseArgs({
   allowPositionals: true,
-  options: { shots: { type: "string" }, fits: { type: "string" }, pages: { type: "string", default: "Infinity" } },
+  options: {
+    shots: { type: "string" }, fits: { type: "string" },
+    pages: { type: "string", default: "Infinity" }, parts: { type: "string", default: "Infinity" },
+  },
 });
+for (const name of ["pages", "parts"]) if (!(options[name] >= 1)) throw new Error(`--${name} needs a number from 1`);
 if (options.shots) mkdirSync(options.shots, { recursive: true });
 
 const isLocal = (url) => /^(file|data|blob|about|devtools):|^https?:\/\/(localhost|127\.0\.0\.1)[:/]/.test(url);
@@ -28,28 +33,29 @@ const isLocal = (url) => /^(file|data|blob|about|devtools):|^https?:\/\/(localho
  * Runs in the page: returns the findings of axe-core. A report has 100 000 elements. Half of them are inside formulas;
  * these have the colour of their formula, so formulas become text first. The cost of the rules on colours grows with
  * everything that is laid out. Therefore these rules examine parts of 800 elements; each element is in one part, and
- * the other parts are out of the page. Drawings are examined only by the other rules, which examine the page as a
- * whole, once for each width.
+ * the other parts are out of the page. Of more than `most` parts, `most` are examined. Drawings are examined only by the
+ * other rules, which examine the page as a whole, once for each width.
  */
-async function violations(withoutColours) {
+async function violations({ withoutColours, most }) {
   document.querySelectorAll("math").forEach((math) => { math.textContent = math.textContent; });
   const run = async (rules) => (await axe.run(document, { ...rules, resultTypes: ["violations"], elementRef: false })).violations;
   const colours = ["color-contrast", "link-in-text-block"];
   const found = withoutColours ? await run({ rules: Object.fromEntries(colours.map((rule) => [rule, { enabled: false }])) }) : [];
   document.querySelectorAll("svg > *").forEach((part) => part.remove());
 
-  const size = (element) => element.querySelectorAll("*").length + 1, most = 800, parts = [];
+  const size = (element) => element.querySelectorAll("*").length + 1, large = 800, parts = [];
   let room = 0;
   (function divide(element) {
-    if (size(element) > most && element.children.length) return [...element.children].forEach(divide);
-    if (size(element) > room) room = parts.push([]) && most;
+    if (size(element) > large && element.children.length) return [...element.children].forEach(divide);
+    if (size(element) > room) room = parts.push([]) && large;
     room -= size(element);
     parts.at(-1).push(element);
   })(document.body);
   const empty = (element) => Object.assign(element.cloneNode(false), { style: "display: none" });
   const out = new Map(parts.flat().map((element) => [element, empty(element)]));
   out.forEach((instead, element) => element.replaceWith(instead));
-  for (const part of parts) {
+  const count = Math.min(most, parts.length);
+  for (const part of Array.from({ length: count }, (_, i) => parts[Math.floor((i * parts.length) / count)])) {
     part.forEach((element) => out.get(element).replaceWith(element));
     found.push(...(await run({ runOnly: colours })));
     part.forEach((element) => element.replaceWith(out.get(element)));
@@ -61,7 +67,7 @@ async function violations(withoutColours) {
 async function issues(page, withoutColours) {
   await page.evaluate(axe);
   const rules = new Map();
-  for (const { id, impact, nodes } of await page.evaluate(violations, withoutColours)) {
+  for (const { id, impact, nodes } of await page.evaluate(violations, { withoutColours, most: Number(options.parts) })) {
     if (impact !== "serious" && impact !== "critical") continue;
     const places = nodes.map(({ target, any }) => `${target.join(" ")} ${any[0]?.message ?? ""}`.trim());
     rules.set(`axe ${impact} ${id}`, [...(rules.get(`axe ${impact} ${id}`) ?? []), ...places]);

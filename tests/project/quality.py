@@ -38,7 +38,7 @@ ROWS = [
      "{tests} tests more, {cases} test cases, {assertions} assertions"),
     ("Ledger", "The paper's statements, [proved or supported](proofs.md)", "release", None, "^verify-(?!wrong|schema)", "./verify",
      "{proved} proved, {supported} supported, {undecided} undecided; {controls} wrong variants refuted"),
-    ("Laws", "Load, equation and mirror of random problems, each method", "release", "slow", "^laws", "./check --all",
+    ("Laws", "Load, equation and mirror of random problems, each method", "release", "full", "^laws", "./check --full laws_400",
      "{random} random problems"),
     ("Laws of pairs", "Order in load, tilt and friction", "release", "full", "^contact_laws", "./check --full contact_laws",
      "{compared} pairs, {broken} against a law"),
