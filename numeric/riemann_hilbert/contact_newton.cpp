@@ -45,7 +45,7 @@ class Newton {
       const R hull = state_.set.span_length();
       const R beside_wedges = follow_lengths(ends);
       const auto [part, tightest] = admissible_part(ends);
-      const bool moves = largest > rounding * hull || state_.set.is_over_notch(tightest);
+      const bool moves = largest > rounding * hull || limit(tightest) == problem_.shortest_gap();
       if (goes_in_circles(beside_wedges)) break;
       if (part < 1 && state_.set.length(tightest) < limit(tightest) && moves) {
         return {std::move(state_), Status::collapse, tightest, std::nullopt, largest};
@@ -99,16 +99,16 @@ class Newton {
  private:
   R limit(std::size_t k) const { return state_.set.is_over_notch(k) ? problem_.shortest_gap() : limits_[k]; }
 
-  /// Returns the change of the logarithm of the length of a gap over a notch, for its linear step `growth`. The
-  /// traction beside the gap, which is like length^-beta, is linear; the logarithm is not.
-  R notch_step(const R& growth, const R& beta) const {
-    const R part = std::max(-beta * growth, R(-0.99));
-    return std::clamp(beta == 0 ? growth : -log1p(part) / beta, R(-30), R(6)) * damping_;
+  /// Returns the change of the logarithm of a gap's length, for its linear step `growth`. A quantity that is like
+  /// length^power is linear; the logarithm is not.
+  static R logarithmic_step(const R& growth, const R& power) {
+    const R part = std::max(power * growth, R(-0.9999));
+    return std::clamp(power == 0 ? growth : log1p(part) / power, R(-30), R(6));
   }
 
   /// Computes the steps of both ends of a gap over a notch, from linear steps of its halves. The logarithm of its
-  /// length follows notch_step. The ratio of its halves depends on the corner and changes little. Returns the larger of
-  /// both changes.
+  /// length follows logarithmic_step, because the traction beside the gap is like length^-beta. The ratio of its halves
+  /// depends on the corner and changes little. Returns the larger of both changes.
   R follow_gap(std::size_t end, R& left_step, R& right_step) const {
     const R& left = state_.set.length(end);
     const R& right = state_.set.length(end + 1);
@@ -117,15 +117,27 @@ class Newton {
     const R growth = (right_step - left_step) / length;
     const R part = left / length;
     const R shift = -left_step / length - part * growth;
-    const R rise = expm1(notch_step(growth, beta));
+    const R rise = expm1(damping_ * logarithmic_step(growth, -beta));
     const R moved = std::clamp(damping_ * shift, R(-part / 2), R((1 - part) / 2)) * (1 + rise);
     left_step = -left * rise - moved * length;
     right_step = right * rise - moved * length;
     return std::max(abs(growth), R(abs(shift) / std::min(part, R(1 - part))));
   }
 
-  /// Steps of such ends, and of gaps over notches, are steps of log l. Returns the largest of these steps, and of the
-  /// relative changes that other ends cause in such lengths and in short gaps beside steps.
+  /// Computes the step of the free end j beside a step of the profile. The logarithm of the gap's length l follows
+  /// logarithmic_step: beyond the gap the traction is like r^beta, so the height over l is like l^(1+beta). If contact
+  /// also ends just beyond a break, the step remains. Returns the linear relative change of l.
+  R follow_gap_beside_step(std::size_t j, const R& outwards, R& end_step) const {
+    const R& length = state_.set.length(state_.set.outside(j));
+    const std::size_t step = outwards < 0 ? j - 1 : j + 1;
+    const R& beta = problem_.jump(*state_.set.point(step).anchor).power.value;
+    const R growth = -outwards * end_step / length;
+    if (!state_.set.is_beside_break(j)) end_step = -outwards * length * expm1(logarithmic_step(growth, 1 + beta));
+    return abs(growth);
+  }
+
+  /// Steps of ends just beyond a break, of gaps over notches and of gaps beside steps are steps of log l. Returns the
+  /// largest of these steps, and of the relative changes that other ends cause in such lengths.
   R follow_lengths(std::vector<R>& ends) {
     R largest = 0;
     R others = 0;
@@ -142,10 +154,9 @@ class Newton {
         ++f;
         continue;
       }
-      if (state_.set.is_beside_step(j))
-        others = std::max(others, R(abs(ends[f]) / state_.set.length(state_.set.outside(j))));
-      if (!state_.set.is_beside_break(j)) continue;
       const R outwards = begins ? R(-1) : R(1);
+      if (state_.set.is_beside_step(j)) others = std::max(others, follow_gap_beside_step(j, outwards, ends[f]));
+      if (!state_.set.is_beside_break(j)) continue;
       const R& length = state_.set.length(state_.set.inside(j));
       const R growth = outwards * ends[f] / length;
       if (abs(growth) > largest) restless_ = j;
@@ -183,6 +194,8 @@ class Newton {
     for (const std::size_t j : free_) {
       const std::size_t k = state_.set.inside(j);
       by_order[k] = state_.set.is_beside_break(j) && state_.set.length(k) >= limits_[k];
+      const std::size_t gap = state_.set.outside(j);
+      if (state_.set.is_beside_step(j)) by_order[gap] = state_.set.length(gap) >= limits_[gap];
     }
     for (std::size_t k = 0; k < change.size(); ++k) {
       if (state_.set.is_over_notch(k)) by_order[k] = state_.set.length(k) >= limit(k);

@@ -46,7 +46,7 @@ struct NewtonResult {
 };
 
 /// Solves for the contact set. A segment k that is shorter than `limits[k]` and still shrinks is reported as
-/// collapsing. For half a gap over a notch the limit is RoundedProblem::shortest_gap().
+/// collapsing. For half a gap over a notch, and for a gap beside a step, the limit is RoundedProblem::shortest_gap().
 template <Real R>
 NewtonResult<R> solve_newton(const RoundedProblem<R>& problem, ContactState<R> state, const std::vector<R>& limits,
                              JacobiRules<R>& rules);

@@ -33,6 +33,7 @@ class Search {
           }
           break;
         case NewtonResult<R>::Status::collapse:
+          if (cannot_vanish(newton.collapsing)) return failure("the gap beside a step is too short", R(0));
           if (!collapse(newton.collapsing)) return failure("an end of the contact has nowhere to go", R(0));
           break;
         case NewtonResult<R>::Status::converged: {
@@ -110,7 +111,7 @@ class Search {
       if (set.in_contact(k) && set.point(k).is_end() && set.point(k + 1).is_end()) {
         result[k] = hull * pow(R(1e-3), removals_ + 1);
       }
-      if (cannot_vanish(k)) result[k] = 0;
+      if (cannot_vanish(k)) result[k] = problem_.shortest_gap();
       for (const std::size_t j : {k, k + 1}) {
         if (!set.point(j).anchor) continue;
         if (const auto found = crossings_.find(*set.point(j).anchor); found != crossings_.end()) {

@@ -54,9 +54,9 @@ class RoundedProblem {
   R profile_increment(std::size_t index, const R& from, const R& length) const;
   int highest_degree() const { return highest_degree_; }
   std::size_t most_coupled() const { return most_coupled_; }
-  /// Returns the shortest gap over a notch that is followed, in xi. Products with a shorter length (with many
-  /// components, of two such lengths: signed_fundamental_solution.hpp) would be out of the range of double, in which
-  /// the contact is found for every precision.
+  /// Returns the shortest gap over a notch or beside a step that is followed, in xi. Products with a shorter length
+  /// (with many components, of two such lengths: signed_fundamental_solution.hpp) would be out of the range of double,
+  /// in which the contact is found for every precision.
   const R& shortest_gap() const { return shortest_gap_; }
 
   const R& s(std::size_t friction) const { return s_[friction]; }

@@ -1,6 +1,7 @@
 // Gaps beside a contact that ends at a break of the profile, where the indenter continues with another polynomial.
 // Heights by the form are compared with the profile minus the displacement due to the traction.
 
+#include "numeric/closed_form/closed_form.hpp"
 #include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "support/solved_contact.hpp"
 
@@ -47,6 +48,18 @@ std::vector<double> openings() {
   return result;
 }
 
+/// Returns the length of the gap beside a step of this height at x = 1/4 of a flat punch, with these values of s.
+template <Real R>
+R gap_beside_step(const std::string& height, std::vector<Rational> s, const std::vector<Rational>& jumps, bool up) {
+  const Polynomial low, high({parse_rational(height)});
+  const Indenter punch(-1, {{0.25_r, up ? low : high}, {1, up ? high : low}});
+  const auto solution = solved<R>(reduced(std::move(s), jumps, punch, 1));
+  const ContactSet<R>& set = solution->form().set();
+  REQUIRE(solution->contact().size() == 2U);
+  const std::size_t gap = set.all(ContactSet<R>::Kind::ends).front();
+  return set.length(gap) * to_real<R>(solution->problem().frame().unit);
+}
+
 }  // namespace
 
 TEST_CASE("gaps beside a step whose other face is another polynomial") {
@@ -78,6 +91,49 @@ TEST_CASE("gaps beside a step whose other face is another polynomial") {
     }
   }
   CHECK(wrong_by_one_polynomial > 20);
+}
+
+TEST_CASE_TEMPLATE("a low step has a gap in proportion to its height, to 1e-270", R, double, Real50) {
+  // If the gap is much shorter than the contact, the flat punch gives the pressure p beyond it. At the distance d from
+  // the free end the traction is p (d/(d + l))^lambda, and so the height is pi lambda (1 + s^2) p l.
+  const Rational s = 0.6_r;
+  const auto flat = closed_form<R>(reduced({s}, {}, one_piece(-1, 1, {}), 1)).solution;
+  REQUIRE(flat);
+  const R p = -flat->at(0.25_r).traction.left.value;
+  for (const bool up : {true, false}) {
+    CAPTURE(up);
+    const R lambda = Power<R>::of(free_exponent(up ? End::left : End::right, s)).value;
+    const R expected = 1 / (pi<R>() * lambda * (1 + to_real<R>(s * s)) * p);
+    for (const char* height : {"1e-20", "1e-60", "1e-140", "1e-200", "1e-270"}) {
+      CAPTURE(height);
+      const R ratio = gap_beside_step<R>(height, {s}, {}, up) / to_real<R>(parse_rational(height)) / expected;
+      CHECK(abs(ratio - 1) < (std::same_as<R, double> ? 1e-11 : 1e-18));
+    }
+  }
+}
+
+TEST_CASE("friction that jumps at a low step changes the power of the gap's length") {
+  // The height is like l^(1+beta), where the traction of a flat punch is like d^beta.
+  for (const auto& s : {std::vector<Rational>{0.2_r, 3}, {3, 0.2_r}}) {
+    for (const bool up : {true, false}) {
+      CAPTURE(up);
+      const double beta = Power<double>::of(jump_exponent(s[0], s[1])).value;
+      CHECK(std::abs(beta) > 0.3);
+      const double longer = gap_beside_step<double>("1e-60", s, {0.25_r}, up);
+      const double shorter = gap_beside_step<double>("1e-80", s, {0.25_r}, up);
+      CHECK(std::log10(longer / shorter) * (1 + beta) == doctest::Approx(20).epsilon(1e-10));
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("a gap beside a step that double cannot represent is too short", R, double, Real50) {
+  for (const char* height : {"1e-300", "1e-400"}) {
+    CAPTURE(height);
+    const Indenter punch(-1, {{0.25_r, Polynomial()}, {1, Polynomial({parse_rational(height)})}});
+    const auto solution = riemann_hilbert<R>(reduced({0.6_r}, {}, punch, 1)).solution;
+    REQUIRE(solution);
+    CHECK(solution->failed_condition() == "the gap beside a step is too short");
+  }
 }
 
 TEST_CASE("off the support there is no gap") {
