@@ -5,7 +5,8 @@ Makes `count` files from the seed `first` on. Each is an example, a problem of t
 random changes: of bytes, of lines, of numbers and texts; lines of other files are put in. Problem files go to the commands of
 steadyslide, certificates to steadyslide-check. Required are
 
-- exit code 0, 1 or 2, within `--seconds` of processor time and four gigabytes of memory;
+- exit code 0, 1 or 2, within `--seconds` of processor time and four gigabytes of memory. The largest work that is allowed, 4194304 cells
+  or the largest stress with 50 digits, takes about a minute;
 - with code 2: nothing on the standard output, and one line that names the program and has no control character;
 - with code 0 of solve: JSON, and no number of it is infinite or not a number.
 
@@ -132,7 +133,7 @@ def main():
     parser.add_argument("checker", type=lambda name: pathlib.Path(name).resolve())
     parser.add_argument("first", type=int)
     parser.add_argument("count", type=int)
-    parser.add_argument("--seconds", type=int, default=60)
+    parser.add_argument("--seconds", type=int, default=240)
     parser.add_argument("--folder", type=pathlib.Path)
     options = parser.parse_args()
     global SANITIZED
