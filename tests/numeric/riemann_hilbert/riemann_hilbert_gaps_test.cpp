@@ -119,8 +119,8 @@ TEST_CASE("friction that jumps at a low step changes the power of the gap's leng
       CAPTURE(up);
       const double beta = Power<double>::of(jump_exponent(s[0], s[1])).value;
       CHECK(std::abs(beta) > 0.3);
-      const double longer = gap_beside_step<double>("1e-60", s, {0.25_r}, up);
-      const double shorter = gap_beside_step<double>("1e-80", s, {0.25_r}, up);
+      const auto longer = gap_beside_step<double>("1e-60", s, {0.25_r}, up);
+      const auto shorter = gap_beside_step<double>("1e-80", s, {0.25_r}, up);
       CHECK(std::log10(longer / shorter) * (1 + beta) == doctest::Approx(20).epsilon(1e-10));
     }
   }
