@@ -124,15 +124,23 @@ class Newton {
     return std::max(abs(growth), R(abs(shift) / std::min(part, R(1 - part))));
   }
 
+  /// True if the length of the gap beside the free end j counts, because a step of the profile is beyond that gap. If
+  /// contact also ends just beyond a break, the shorter of both lengths counts.
+  bool follows_gap_beside_step(std::size_t j) const {
+    const auto& set = state_.set;
+    const bool is_shorter = set.length(set.outside(j)) < set.length(set.inside(j));
+    return set.is_beside_step(j) && (is_shorter || !set.is_beside_break(j));
+  }
+
   /// Computes the step of the free end j beside a step of the profile. The logarithm of the gap's length l follows
-  /// logarithmic_step: beyond the gap the traction is like r^beta, so the height over l is like l^(1+beta). If contact
-  /// also ends just beyond a break, the step remains. Returns the linear relative change of l.
+  /// logarithmic_step: beyond the gap the traction is like r^beta, so the height over l is like l^(1+beta). Returns the
+  /// linear relative change of l.
   R follow_gap_beside_step(std::size_t j, const R& outwards, R& end_step) const {
     const R& length = state_.set.length(state_.set.outside(j));
     const std::size_t step = outwards < 0 ? j - 1 : j + 1;
     const R& beta = problem_.jump(*state_.set.point(step).anchor).power.value;
     const R growth = -outwards * end_step / length;
-    if (!state_.set.is_beside_break(j)) end_step = -outwards * length * expm1(logarithmic_step(growth, 1 + beta));
+    end_step = -outwards * length * expm1(logarithmic_step(growth, 1 + beta));
     return abs(growth);
   }
 
@@ -155,7 +163,10 @@ class Newton {
         continue;
       }
       const R outwards = begins ? R(-1) : R(1);
-      if (state_.set.is_beside_step(j)) others = std::max(others, follow_gap_beside_step(j, outwards, ends[f]));
+      if (follows_gap_beside_step(j)) {
+        others = std::max(others, follow_gap_beside_step(j, outwards, ends[f]));
+        continue;
+      }
       if (!state_.set.is_beside_break(j)) continue;
       const R& length = state_.set.length(state_.set.inside(j));
       const R growth = outwards * ends[f] / length;
@@ -192,10 +203,9 @@ class Newton {
     }
     std::vector<char> by_order(state_.set.segments(), 0);
     for (const std::size_t j : free_) {
-      const std::size_t k = state_.set.inside(j);
-      by_order[k] = state_.set.is_beside_break(j) && state_.set.length(k) >= limits_[k];
-      const std::size_t gap = state_.set.outside(j);
-      if (state_.set.is_beside_step(j)) by_order[gap] = state_.set.length(gap) >= limits_[gap];
+      const bool is_gap = follows_gap_beside_step(j);
+      const std::size_t k = is_gap ? state_.set.outside(j) : state_.set.inside(j);
+      by_order[k] = (is_gap || state_.set.is_beside_break(j)) && state_.set.length(k) >= limits_[k];
     }
     for (std::size_t k = 0; k < change.size(); ++k) {
       if (state_.set.is_over_notch(k)) by_order[k] = state_.set.length(k) >= limit(k);
