@@ -48,12 +48,13 @@ std::vector<double> openings() {
   return result;
 }
 
-/// A flat punch with a step of this height at x = 1/4. On the high side, the distance `flat` from the step, it breaks:
-/// beyond the break it has the slope `bend`, away from the half-plane.
+/// A flat punch with a step of this height at x = 1/4. On the high side, the distance `flat` from the step, its slope
+/// changes to `bend`: positive if the face recedes.
 Indenter punch_with_step(const std::string& height, bool up, const Rational& flat = 0.02_r, const Rational& bend = 0) {
   const Polynomial low, high({parse_rational(height)});
   const Rational step = 0.25_r, side = up ? 1 : -1, at = step + side * flat;
   const Polynomial bent = high + Polynomial({-side * bend * at, side * bend});
+  if (flat == 0) return Indenter(-1, {{step, up ? low : bent}, {1, up ? bent : low}});
   if (up) return Indenter(-1, {{step, low}, {at, high}, {1, bent}});
   return Indenter(-1, {{at, bent}, {step, high}, {1, low}});
 }
@@ -64,8 +65,9 @@ R gap_beside_step(const Indenter& punch, std::vector<Rational> s, const std::vec
   const auto solution = solved<R>(reduced(std::move(s), jumps, punch, 1));
   const ContactSet<R>& set = solution->form().set();
   REQUIRE(solution->contact().size() == 2U);
-  const std::size_t gap = set.all(ContactSet<R>::Kind::ends).front();
-  return set.length(gap) * to_real<R>(solution->problem().frame().unit);
+  R length = 0;
+  for (std::size_t k = set.all(ContactSet<R>::Kind::ends).front(); !set.in_contact(k); ++k) length += set.length(k);
+  return length * to_real<R>(solution->problem().frame().unit);
 }
 
 }  // namespace
@@ -114,7 +116,8 @@ TEST_CASE_TEMPLATE("a low step has a gap in proportion to its height, to 1e-270"
     const R expected = 1 / (pi<R>() * lambda * (1 + to_real<R>(s * s)) * p);
     for (const char* height : {"1e-20", "1e-60", "1e-140", "1e-200", "1e-270"}) {
       CAPTURE(height);
-      const R ratio = gap_beside_step<R>(punch_with_step(height, up), {s}, {}) / to_real<R>(parse_rational(height)) / expected;
+      const R ratio =
+          gap_beside_step<R>(punch_with_step(height, up), {s}, {}) / to_real<R>(parse_rational(height)) / expected;
       CHECK(abs(ratio - 1) < (std::same_as<R, double> ? 1e-11 : 1e-18));
     }
   }
@@ -135,39 +138,32 @@ TEST_CASE("friction that jumps at a low step changes the power of the gap's leng
   }
 }
 
-TEST_CASE("a low step near a break keeps the power of its gap's length") {
-  // Contact ends between the step and the break, near both: the shorter length decides Newton's step.
+TEST_CASE("a low step near a break keeps the power of the gap's length") {
+  // Contact ends between the step and the break, so that the lengths on both sides of that end are short.
   for (const auto& s : {std::vector<Rational>{0.2_r, 3}, {3, 0.2_r}}) {
     for (const bool up : {true, false}) {
       CAPTURE(up);
       const double beta = Power<double>::of(jump_exponent(s[0], s[1])).value;
-      for (const Rational bend : {0.01_r, -0.01_r}) {
-        CAPTURE(bend);
-        const auto gap = [&](const char* height) {
-          return gap_beside_step<double>(punch_with_step(height, up, 0.02_r, bend), s, {0.25_r});
-        };
-        CHECK(std::log10(gap("1e-60") / gap("1e-80")) * (1 + beta) == doctest::Approx(20).epsilon(1e-10));
-        CHECK(std::log10(gap("1e-120") / gap("1e-150")) * (1 + beta) == doctest::Approx(30).epsilon(1e-10));
-      }
+      const auto gap = [&](const char* height) {
+        return gap_beside_step<double>(punch_with_step(height, up, 0.02_r, 0.01_r), s, {0.25_r});
+      };
+      CHECK(std::log10(gap("1e-60") / gap("1e-80")) * (1 + beta) == doctest::Approx(20).epsilon(1e-10));
+      CHECK(std::log10(gap("1e-120") / gap("1e-150")) * (1 + beta) == doctest::Approx(30).epsilon(1e-10));
     }
   }
 }
 
-TEST_CASE("a low step very near a break") {
+TEST_CASE("a short flat piece between a step and a break changes a long gap little") {
+  // In double the step and the break are at the same place. Contact begins or ends at the step, not at the break.
   for (const bool up : {true, false}) {
-    for (const Rational bend : {0.01_r, -0.01_r}) {
-      for (const char* flat : {"1e-3", "1e-6", "1e-10", "1e-18"}) {
-        CAPTURE(up); CAPTURE(bend); CAPTURE(flat);
-        for (const char* height : {"1e-3", "1e-6", "1e-10", "1e-14", "1e-19", "1e-30"}) {
-          CAPTURE(height);
-          const auto punch = punch_with_step(height, up, parse_rational(flat), bend);
-          const auto solution = riemann_hilbert<double>(reduced({0.6_r}, {}, punch, 1)).solution;
-          REQUIRE(solution);
-          const auto& set = solution->form().set();
-          std::string places;
-          for (std::size_t k = 0; k < set.segments(); ++k) places += (set.in_contact(k) ? " c" : " g") + std::to_string(static_cast<double>(log10(set.length(k))));
-          MESSAGE(up << " " << doctest::toString(bend) << " flat " << flat << " height " << height << ": " << fault(*solution) << places);
-        }
+    CAPTURE(up);
+    for (const Rational& bend : {0.01_r, -0.01_r}) {
+      for (const char* height : {"1e-3", "1e-6", "1e-10"}) {
+        CAPTURE(height);
+        const auto gap = [&](const char* flat) {
+          return gap_beside_step<double>(punch_with_step(height, up, parse_rational(flat), bend), {0.6_r}, {});
+        };
+        CHECK(gap("1e-18") == doctest::Approx(gap("0")).epsilon(1e-7));
       }
     }
   }
