@@ -21,17 +21,24 @@ ContactSet<R>::ContactSet(const RoundedProblem<R>& problem, const std::vector<Co
     : ContactSet(problem) {
   // Ends must be in order: if rounding has put a guess before the last end, it comes after it.
   std::size_t last = 0;
-  const auto edge_next_to = [&](double x, Kind kind) {
+  const auto edge_next_to = [&](double x, Kind kind, double width) {
     const End end = kind == Kind::begins ? End::left : End::right;
     std::optional<std::size_t> best;
+    R least = infinity<R>();
     for (std::size_t j = last; j < points_.size(); ++j) {
-      if (!points_[j].anchor || points_[j].is_end() || !problem.edge_possible(end, *points_[j].anchor)) continue;
-      if (!best || abs(x_[j] - R(x)) < abs(x_[*best] - R(x))) best = j;
+      if (!points_[j].anchor || points_[j].is_end()) continue;
+      // If rounding cannot tell two anchors apart, the edge is at the one where it is possible.
+      const bool possible = problem.edge_possible(end, *points_[j].anchor);
+      const R distance = abs(x_[j] - R(x)) + (possible ? R(0) : R(1e-9 * width));
+      if (distance < least) {
+        least = distance;
+        best = j;
+      }
     }
     return best;
   };
   const auto add = [&](double x, bool at_edge, Kind kind, double width) {
-    const std::optional<std::size_t> edge = at_edge ? edge_next_to(x, kind) : std::nullopt;
+    const std::optional<std::size_t> edge = at_edge ? edge_next_to(x, kind, width) : std::nullopt;
     if (edge) {
       points_[*edge].kind = kind;
       last = *edge;
