@@ -63,13 +63,16 @@ std::string without_element(const std::string& svg, const std::string& tag) {
   return without(svg, fmt::format(R"(<{0}(?:\s[^>]*)?(?:/>|>[^<]*</{0}>))", tag));
 }
 
-/// Removes the marks that no curve uses, from the last one to the first: a mark may use an earlier one.
-std::string without_idle_marks(std::string svg) {
-  static const std::regex definition(R"(<(?:circle|path|rect|use)\b[^>]*\bid='([^']*)'[^>]*/>\s*)");
+/// Removes the marks that no curve uses and the filters that no text uses, from the last one to the first: a mark may
+/// use an earlier one.
+std::string without_idle_definitions(std::string svg) {
+  static const std::regex definition(R"((?:<(?:circle|path|rect|use)\b[^>]*\bid='([^']*)'[^>]*/>|)"
+                                     R"(<filter\b[^>]*\bid='([^']*)'[^>]*>\s*(?:<fe[^>]*>\s*)*</filter>)\s*)");
   const std::string head = svg.substr(0, svg.find("</defs>"));
-  const std::vector<std::smatch> marks(std::sregex_iterator(head.begin(), head.end(), definition), {});
-  for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark) {
-    if (svg.find("#" + mark->str(1) + "'") == std::string::npos) boost::erase_first(svg, mark->str(0));
+  const std::vector<std::smatch> found(std::sregex_iterator(head.begin(), head.end(), definition), {});
+  for (auto one = found.rbegin(); one != found.rend(); ++one) {
+    const std::string use = one->str(1).empty() ? "url(#" + one->str(2) + ")" : "#" + one->str(1) + "'";
+    if (svg.find(use) == std::string::npos) boost::erase_first(svg, one->str(0));
   }
   return svg;
 }
@@ -87,7 +90,7 @@ std::string with_short_paths(std::string svg) {
 }  // namespace
 
 std::string slim_svg(std::string svg) {
-  svg = with_short_paths(without_idle_marks(without_element(svg, "desc")));
+  svg = with_short_paths(without_idle_definitions(without_element(svg, "desc")));
   svg = std::regex_replace(svg, std::regex(R"(>\s*\n\s*<)"), "><");
   std::ranges::replace_if(
       svg, [](char c) { return c == '\n' || c == '\t'; }, ' ');
