@@ -50,7 +50,7 @@ std::vector<double> openings() {
 
 /// A flat punch with a step of this height at x = 1/4. On the high side, the distance `flat` from the step, its slope
 /// changes to `bend`: positive if the face recedes.
-Indenter punch_with_step(const std::string& height, bool up, const Rational& flat = 0.02_r, const Rational& bend = 0) {
+Indenter punch_with_step(const std::string& height, bool up, const Rational& flat = 0, const Rational& bend = 0) {
   const Polynomial low, high({parse_rational(height)});
   const Rational step = 0.25_r, side = up ? 1 : -1, at = step + side * flat;
   const Polynomial bent = high + Polynomial({-side * bend * at, side * bend});
