@@ -48,7 +48,8 @@ class ContactSet {
 
   /// A set without contact.
   explicit ContactSet(const RoundedProblem<R>& problem);
-  /// Takes zones in xi. An end with `left_at_edge` or `right_at_edge` lies at the anchor next to it.
+  /// Takes zones in xi. An end with `left_at_edge` or `right_at_edge` lies at the nearest anchor. If rounding cannot
+  /// tell anchors apart, it lies at one where an edge is possible.
   ContactSet(const RoundedProblem<R>& problem, const std::vector<ContactInterval>& zones);
   /// Takes the same set in another number type. `problem` is the same problem in the new type.
   template <Real Other>
