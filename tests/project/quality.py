@@ -36,7 +36,8 @@ ROWS = [
      "{tests} tests, {cases} test cases, {assertions} assertions"),
     ("Slow tests", "The same with more data, more digits and other programs", "release", "slow", ".", "./check --all",
      "{tests} tests more, {cases} test cases, {assertions} assertions"),
-    ("Ledger", "The paper's statements, [proved or supported](proofs.md)", "release", None, "^verify-(?!wrong|schema)", "./verify",
+    ("Ledger", "The paper's statements, [proved or supported](proofs.md), with 16 digits (`./verify`: 50)", "release", None,
+     "^verify-(?!wrong|schema)", "./check",
      "{proved} proved, {supported} supported, {undecided} undecided; {controls} wrong variants refuted"),
     ("Laws", "Load, equation and mirror of random problems, each method", "release", "full", "^laws", "./check --full laws_400",
      "{random} random problems"),
@@ -52,7 +53,8 @@ ROWS = [
      "none"),
     ("Sanitizers", "Addresses and undefined behaviour", "sanitize", None, ".", "./check --sanitize",
      "{tests} tests, {assertions} assertions, no report"),
-    ("Threads", "Data races", "tsan", "threads", ".", "ctest --preset tsan", "{tests} tests, {assertions} assertions, no report"),
+    ("Threads", "Data races", "tsan", "threads", ".", "cmake --preset tsan && cmake --build --preset tsan && ctest --preset tsan",
+     "{tests} tests, {assertions} assertions, no report"),
     ("Fuzzing", "Changed problem files and certificates", "release", "full", "^fuzz_", "./check --full fuzz",
      "{files} files, {faults} faults"),
     ("Containment", "Balls of random arguments contain the values", "release", "slow", "^enclosure", "./check --all",
@@ -72,9 +74,10 @@ ROWS = [
 PAGE = """# Evidence
 
 What was run for version {version}, with the figures of these runs and the commit that was tested. `./check` and the commands below leave
-their results in `build/`, and `tests/project/quality.py` makes this page of them. The times are for two cores: `./check --all` takes at most 75 minutes, a full set
-(`./check --full NAME`) at most 40. `ctest --preset tests -N -L full` lists the full sets.
+their results in `build/`, and `tests/project/quality.py` makes this page of them. The times are for two cores: `./check --all` takes at
+most 75 minutes, a test of a full set (`./check --full NAME`) at most 40. `ctest --preset tests -N -L full` lists the full sets.
 The test `numeric` tests the products of powers on each instruction set of the processor, so the number of assertions depends on the machine.
+{age}
 
 | evidence | what it shows | command | commit | figure |
 |---|---|---|---|---|
@@ -116,6 +119,18 @@ def rows_of(page):
     return {row[0]: tuple(row[3:]) for row in cells if len(row) == 5}
 
 
+def age_of(commits):
+    """Returns a sentence with the rows that tested the program before its last change, from the commit of each row."""
+    git = ["git", "-C", ROOT]
+    folders = ["model", "symbolic", "numeric", "enclosure", "checker", "proofs_checks", "library", "app", "bindings"]
+    last = subprocess.run([*git, "log", "-1", "--format=%h", "--", *folders], capture_output=True, text=True, check=True).stdout.strip()
+    follows = [*git, "merge-base", "--is-ancestor", last]
+    older = [kind for kind, commit in commits.items()
+             if subprocess.run([*follows, commit.removesuffix("-dirty")], capture_output=True, check=False).returncode]
+    rows = f"The runs of these rows are older: {', '.join(older)}" if older else "No run is older"
+    return f"The sources of the program changed last at {last}. {rows}."
+
+
 class Figure(dict):
     """The numbers of a row by name, for str.format_map."""
 
@@ -144,7 +159,7 @@ def main():
     results = {build: results_of(build) for build in tests}
     commit = subprocess.run(["git", "-C", ROOT, "describe", "--always", "--dirty"], capture_output=True, text=True, check=True).stdout.strip()
     before = rows_of(options.output)
-    wrong, skipped, lines = [], set(), []
+    wrong, skipped, lines, commits = [], set(), [], {}
     for kind, shows, build, label, pattern, command, figure in ROWS:
         names = selected(tests[build], label, pattern)
         found = {name: results[build].get(name, ("not run", "")) for name in names}
@@ -162,10 +177,11 @@ def main():
             except ValueError as error:
                 here = commit, str(error)
                 wrong.append(f"{kind}: {error}")
+        commits[kind] = here[0]
         lines.append(f"| {kind} | {shows} | `{command}` | {here[0]} | {here[1]} |")
     version = re.search(r"project\(steadyslide VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
     ending = f"Skipped, because a program is missing: {', '.join(sorted(skipped))}." if skipped else "No test was skipped."
-    options.output.write_text(PAGE.format(version=version, rows="\n".join(lines), ending=ending), encoding="utf-8")
+    options.output.write_text(PAGE.format(version=version, age=age_of(commits), rows="\n".join(lines), ending=ending), encoding="utf-8")
     print("\n".join(wrong) or f"{len(lines)} rows")
     return 1 if wrong else 0
 
