@@ -122,13 +122,13 @@ def rows_of(page):
 def age_of(commits):
     """Returns a sentence with the rows that tested the program before its last change, from the commit of each row."""
     git = ["git", "-C", ROOT]
-    folders = ["model", "symbolic", "numeric", "enclosure", "checker", "proofs_checks", "library", "app", "bindings"]
-    last = subprocess.run([*git, "log", "-1", "--format=%h", "--", *folders], capture_output=True, text=True, check=True).stdout.strip()
+    layers = ["model", "symbolic", "numeric", "enclosure", "checker", "proofs_checks", "library", "app", "bindings"]
+    last = subprocess.run([*git, "log", "-1", "--format=%h", "--", *(f"{layer}/*.[ch]pp" for layer in layers)], capture_output=True, text=True, check=True).stdout.strip()
     follows = [*git, "merge-base", "--is-ancestor", last]
     older = [kind for kind, commit in commits.items()
              if subprocess.run([*follows, commit.removesuffix("-dirty")], capture_output=True, check=False).returncode]
     rows = f"The runs of these rows are older: {', '.join(older)}" if older else "No run is older"
-    return f"The sources of the program changed last at {last}. {rows}."
+    return f"The C++ sources of the program changed last at {last}. {rows}."
 
 
 class Figure(dict):
