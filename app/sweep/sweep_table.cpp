@@ -10,6 +10,7 @@
 #include "app/terminal/failure.hpp"
 #include "library/problem_file/file_error.hpp"
 #include "library/sweep/random_decimals.hpp"
+#include "library/text/version.hpp"
 #include "model/invalid_data.hpp"
 
 namespace steadyslide::app {

@@ -2,6 +2,7 @@
 
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "proofs_checks/instances/solved_instances.hpp"
+#include "proofs_checks/kit/numbers.hpp"
 #include "proofs_checks/kit/random.hpp"
 
 namespace steadyslide::proofs_checks {

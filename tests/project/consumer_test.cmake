@@ -27,8 +27,8 @@ if(KIND STREQUAL "installed")
   endif()
   list(APPEND programs flat_punch facade)
 else()
-  # The programs compiled here run only for a moment. Compiling sources together is the quickest; the sanitizers' build
-  # compiles each by itself.
+  # The programs compiled here run only for a moment. Compiling sources together is the quickest; the test
+  # project_single_files compiles each by itself.
   list(APPEND options "-DSTEADYSLIDE_SOURCES=${SOURCE}" -DCMAKE_BUILD_TYPE=Debug -DSTEADYSLIDE_UNITY_BUILD=ON)
 endif()
 

@@ -3,8 +3,8 @@
 
 Each row of ROWS names tests and the numbers in their outputs, which are added. Of a test that ran several times the last result
 counts. A row with a test that failed, or with some tests that did not run, has no figure. A row of which no test ran here keeps the
-figure and the commit that the page has. The commit is that of the tree: run this before the tree changes. --check only looks
-whether each row has its tests.
+figure and the commit that the page has; there it may be a sum, with several commits. The commit is that of the tree: run this before
+the tree changes. --check only looks whether each row has its tests.
 
 Exit code: 0 written, 1 written, and a row has no figure, 2 a row of this build without tests or a wrong argument.
 """
@@ -123,12 +123,15 @@ def age_of(commits):
     """Returns a sentence with the rows that tested the program before its last change, from the commit of each row."""
     git = ["git", "-C", ROOT]
     layers = ["model", "symbolic", "numeric", "enclosure", "checker", "proofs_checks", "library", "app", "bindings"]
-    last = subprocess.run([*git, "log", "-1", "--format=%h", "--", *(f"{layer}/*.[ch]pp" for layer in layers)], capture_output=True, text=True, check=True).stdout.strip()
+    # A change of comments or includes alone does not count.
+    code = [*git, "log", "-1", "--format=%h", "-G", "^[[:space:]]*[^#/[:space:]]", "--", *(f"{layer}/*.[ch]pp" for layer in layers)]
+    last = subprocess.run(code, capture_output=True, text=True, check=True).stdout.strip()
     follows = [*git, "merge-base", "--is-ancestor", last]
-    older = [kind for kind, commit in commits.items()
-             if subprocess.run([*follows, commit.removesuffix("-dirty")], capture_output=True, check=False).returncode]
+    older = [kind for kind, tested in commits.items()
+             if any(subprocess.run([*follows, commit.removesuffix("-dirty")], capture_output=True, check=False).returncode
+                    for commit in tested.split(", "))]
     rows = f"The runs of these rows are older: {', '.join(older)}" if older else "No run is older"
-    return f"The C++ sources of the program changed last at {last}. {rows}."
+    return f"The code of the program changed last at {last}. {rows}."
 
 
 class Figure(dict):
