@@ -123,8 +123,8 @@ def age_of(commits):
     """Returns a sentence with the rows that tested the program before its last change, from the commit of each row."""
     git = ["git", "-C", ROOT]
     layers = ["model", "symbolic", "numeric", "enclosure", "checker", "proofs_checks", "library", "app", "bindings"]
-    # A change of comments or includes alone does not count.
-    code = [*git, "log", "-1", "--format=%h", "-G", "^[[:space:]]*[^#/[:space:]]", "--", *(f"{layer}/*.[ch]pp" for layer in layers)]
+    # A change of comments, includes or help alone does not count.
+    code = [*git, "log", "-1", "--format=%h", "-G", "^[[:space:]]*[^#/[:space:]]", "--", *layers, ":!app/help"]
     last = subprocess.run(code, capture_output=True, text=True, check=True).stdout.strip()
     follows = [*git, "merge-base", "--is-ancestor", last]
     older = [kind for kind, tested in commits.items()
