@@ -23,7 +23,8 @@ constexpr const char* usage =
     "Proves again what a certificate of 'steadyslide solve --certify' claims, and that it is one for the problem in the file.\n"
     "Without --problem the certificate's own copy of the problem is believed: it may be another problem than yours.\n"
     "\n"
-    "Exit code: 0 if all is proved, 1 if something is not, 2 if the certificate or the command line breaks a rule.\n";
+    "Exit code: 0 if all is proved, 1 if something is not, 2 if a file or the command line breaks a rule, or a file cannot\n"
+    "be read.\n";
 
 double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }  // CPU time since the start
 

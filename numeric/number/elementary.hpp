@@ -5,7 +5,7 @@
 //   |result - f(x)| <= (1/2 + 2^-7) ulp,
 //
 // because a ball is used only if its radius is below 2^-7 of the last bit. MPFR's own function computes the other
-// cases, and all special cases (0, infinity, a negative logarithm, a huge exponent). This is four to six times as fast
+// cases, and all special cases (0, infinity, a negative logarithm, a huge exponent). This is three to six times as fast
 // as MPFR (tests/bench/README.md). MPFR computes products, quotients and sums, because Arb would have to convert the numbers.
 //
 // Boost's log(), exp() and pow() of these numbers use these functions: they call eval_log, eval_exp and eval_pow of the

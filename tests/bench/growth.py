@@ -7,7 +7,7 @@ KIND says what is counted, from 2^FIRST to 2^LAST:
 
     jumps           friction jumps under a flat punch
     parabola-jumps  friction jumps under x^2
-    pieces          pieces of a polygon in a parabola; half of its wedges are in contact
+    pieces          pieces of a polygon in a parabola; six tenths of its wedges are in contact
     zones           equal bumps in a row, each in contact
     traces          pieces of a measured profile: a self-affine roughness on a parabola, by the Riemann-Hilbert method
     cells           cells; a parabola over three jumps

@@ -105,8 +105,8 @@ def derivations(t):
 
 def riemann_hilbert(t):
     both = ("quartic", "wedge")
-    names = (("variational, 1,024 cells", "variational_1024", "ends"), ("solve, from nothing", "solve_cold", "ends"),
-             ("solve, from a neighbouring solution", "solve_warm", ""),
+    names = (("coarse solution, about 1,024 cells", "coarse_1024", "ends"), ("solve, from nothing", "solve_cold", "ends"),
+             ("solve, with the best start", "solve_warm", ""),
              ("50 digits, from nothing", "solve_50_digits", ""), ("100 digits, from nothing", "solve_100_digits", ""),
              ("one traction value", "traction", "traction"), ("one traction value by GSL", "traction_by_gsl", "traction"))
     rows = [[text] + [cell for p in both for cell in
@@ -114,7 +114,7 @@ def riemann_hilbert(t):
             for text, name, error in names]
     lines = table(["", "quartic", "error", "wedge", "error"], rows)
     jumps = (4, 16, 64, 256, 1024)
-    kinds = [(f"{text}, {p}", f"{name}/{p}") for text, name in (("solve (warm)", "solve_by_jumps"),
+    kinds = [(f"{text}, {p}", f"{name}/{p}") for text, name in (("solve, with the best start", "solve_by_jumps"),
                                                               ("traction", "traction_by_jumps")) for p in both]
     return lines, table(["us, by jumps"] + [str(n) for n in jumps],
                                 [[text] + [t.time(f"{name}/{n}", US) for n in jumps] for text, name in kinds])

@@ -17,6 +17,6 @@ set xlabel "number"
 set ylabel "user time of a whole solve, seconds"
 set key left top reverse Left
 set grid back linecolor rgb "#dddddd"
-curves = "jumps parabola-jumps pieces zones cells digits"
+curves = "jumps parabola-jumps pieces zones traces cells digits"
 plot for [curve in curves] ARG1 skip 1 using 2:(strcol(1) eq curve ? $3 : NaN) \
   with linespoints pointtype 7 pointsize 0.4 linewidth 1.5 title curve

@@ -1,4 +1,4 @@
-// The Riemann-Hilbert solver compared with a coarse variational solution with 1,024 cells and with the same formula
+// The Riemann-Hilbert solver compared with the coarse solution of about 1,024 cells and with the same formula
 // evaluated only by GSL; and the cost of a solve and of a traction value by the number of friction jumps. The counters
 // `ends` and `traction` are the relative errors against 50 digits.
 
@@ -71,7 +71,7 @@ void solve_from_nothing(benchmark::State& state, bool wedge) {
   for (auto _ : state) benchmark::DoNotOptimize(riemann_hilbert<R>(problem));
 }
 
-void variational_1024(benchmark::State& state, bool wedge) {
+void coarse_1024(benchmark::State& state, bool wedge) {
   const ContactProblem problem = punch(few, wedge);
   CoarseContact coarse;
   for (auto _ : state) coarse = coarse_contact(problem, 1024);
@@ -160,7 +160,7 @@ int main(int argc, char** argv) {
   };
   for (const Measured& measured : {Measured("solve_cold", solve_cold),
                                    {"solve_warm", solve_warm<double>},
-                                   {"variational_1024", variational_1024},
+                                   {"coarse_1024", coarse_1024},
                                    {"solve_50_digits", solve_from_nothing<Real50>},
                                    {"solve_50_digits_warm", solve_warm<Real50>},
                                    {"solve_100_digits", solve_from_nothing<Real100>},

@@ -123,15 +123,19 @@ def age_of(commits):
     """Returns a sentence with the rows that tested the program before its last change, from the commit of each row."""
     git = ["git", "-C", ROOT]
     layers = ["model", "symbolic", "numeric", "enclosure", "checker", "proofs_checks", "library", "app", "bindings"]
-    # A change of comments, includes or help alone does not count.
-    code = [*git, "log", "-1", "--format=%h", "-G", "^[[:space:]]*[^#/[:space:]]", "--", *layers, ":!app/help"]
-    last = subprocess.run(code, capture_output=True, text=True, check=True).stdout.strip()
+    # A change of comments, includes or help alone does not count. The help of the checker is the strings of its main.cpp.
+    kinds = [("^[[:space:]]*[^#/[:space:]]", [*layers, ":!app/help", ":!checker/main.cpp", ":!*.1", ":!*.py"]),
+             ("^[[:space:]]*[^#/\"[:space:]]", ["checker/main.cpp"])]
+    changes = [subprocess.run([*git, "log", "-1", "--format=%H", "-G", pattern, "--", *paths], capture_output=True,
+                              text=True, check=True).stdout.strip() for pattern, paths in kinds]
+    newest = [*git, "log", "-1", "--no-walk", "--format=%h", *changes]
+    last = subprocess.run(newest, capture_output=True, text=True, check=True).stdout.strip()
     follows = [*git, "merge-base", "--is-ancestor", last]
     older = [kind for kind, tested in commits.items()
              if any(subprocess.run([*follows, commit.removesuffix("-dirty")], capture_output=True, check=False).returncode
                     for commit in tested.split(", "))]
     rows = f"The runs of these rows are older: {', '.join(older)}" if older else "No run is older"
-    return f"The code of the program changed last at {last}. {rows}."
+    return f"The C++ code of the program changed last at {last}. {rows}."
 
 
 class Figure(dict):
