@@ -1,4 +1,4 @@
-# The same as answer_of_the_library.cpp, from Python: python3 answer_of_the_library.py
+# The problem of answer_of_the_library.cpp in Python, and a sweep: python3 answer_of_the_library.py
 import mpmath
 import steadyslide as ss
 

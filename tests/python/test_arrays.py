@@ -64,6 +64,14 @@ def test_bad_arrays(data, message):
     assert refused(lambda: ss.Problem(**({"friction": ["0.2"]} | SLIDER | data))) == message
 
 
+@pytest.mark.parametrize("digits", [16, 50])
+def test_no_places_have_no_values(digits):
+    solution = ss.Problem(load=1, poisson="0.2", friction=["0.2"], profile="0").solve(digits=digits)
+    assert solution.at([]).gap.shape == solution.at([]).traction[1].shape == solution.traction([]).shape == (0,)
+    assert solution.stress([], 1).xx.shape == solution.displacement([], 1).z.shape == (0,)
+    assert solution.traction(np.array(0.5)) == solution.traction("0.5") == solution.at(np.array(0.5)).traction[0]
+
+
 def test_all_quantities_at_many_places():
     solution = ss.Problem(load=1, poisson="0.2", friction=["0.1", "0.5"], jumps=[0], profile="0").solve()
     places = [[-0.5, 0], [0.5, 2]]

@@ -47,6 +47,18 @@ def test_a_method_that_does_not_apply():
     assert refused(lambda: problem.solve(method="closed-form")).startswith("method closed-form: no closed form applies; ")
 
 
+def test_problems_from_others():
+    problem = ss.Problem.from_string("load = 1\nhalf_space = {poisson = \"0.2\"}\nfriction = {values = [\"0.1\"]}\n"
+                                     "indenter = {profile = \"x^2\"}\n", "file.toml")
+    assert refused(lambda: problem.with_(load=-1)) == "load: load out of range; the load is positive; -1"
+    assert refused(lambda: problem.load_steps("12")) == "loads: wrong type; they are a list of numbers; '12'"
+    assert refused(lambda: problem.load_steps([1], start=None)).startswith("start: conflicting option; ")
+    pieces = problem.with_(**{"indenter.profile": None, "indenter.pieces": [(0, "-x"), (1, "x")]})
+    assert pieces.solve().solved
+    with pytest.raises(TypeError):
+        ss.Problem.from_toml(None)
+
+
 def test_places_and_meshes():
     solution = ss.Problem(**GOOD).solve()
     assert refused(lambda: solution.traction("here")) == f"x: not a number; {NUMBER}; 'here'"
@@ -58,6 +70,8 @@ def test_places_and_meshes():
     assert refused(lambda: solution.stress([0, 0], [1, -0.5])) == "z[1]: above the surface; a depth is at least 0; -0.5"
     assert refused(lambda: solution.max_stress(-1)) == "depth: above the surface; a depth is at least 0; -1"
     assert refused(lambda: solution.stress(0, "deep")) == f"z: not a number; {NUMBER}; 'deep'"
+    assert refused(lambda: solution.stress(["1/2", "a"], 1)) == f"x[1]: not a number; {NUMBER}; 'a'"
+    assert refused(lambda: solution.stress("1/0", 1)) == f"x: not a number; {NUMBER}; '1/0'"
     assert refused(lambda: solution.nodal_forces([-1, "a"])) == f"nodes[1]: not a number; {NUMBER}; 'a'"
     assert refused(lambda: solution.nodal_forces([-1, 1], order=3)) == "order: wrong order; elements are of order 1 or 2; 3"
     assert refused(lambda: solution.nodal_forces([-1, 0, 2, 3, 4], order=2)).startswith("nodes[1]: node off the middle; ")

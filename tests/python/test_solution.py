@@ -88,6 +88,14 @@ def test_more_digits_are_mpmath_numbers():
         assert array.dtype == object and array[0] == found
 
 
+def test_results_are_data_with_all_their_digits():
+    place = "0.12345678901234567891"
+    solution = ss.Problem(**(COATINGS | {"jumps": [place]})).solve(digits=50)
+    at = solution.singular_points[1].x
+    assert mpmath.mp.dps < 20 and solution.traction(at) == solution.traction(place) == -mpmath.inf
+    assert ss.Problem(**(COATINGS | {"load": at})).load == Fraction(place)
+
+
 def test_the_load_is_the_integral_of_the_pressure():
     solution = ss.Problem(**TILTING).solve()
     (component,) = solution.contact
@@ -222,6 +230,13 @@ def test_data_that_change_together():
     assert [tuple(row)[:3] for row in table] == [(1, 0.1, 0.1), (1, 0.1, 0.2), (2, 0.2, 0.1), (2, 0.2, 0.2)]
     with pytest.raises(ss.InvalidData, match="vary: wrong number of values for "):
         ss.sweep(base, {together: [(1, "0.1"), 2]})
+
+
+def test_columns_are_those_of_the_command_line():
+    columns = ["method", "contact[0].right.kind", "load_share_error[0]", "load_share[0]_error"]
+    table = ss.sweep(ss.Problem(**COATINGS), {"load": [1, 2]}, columns)
+    assert list(table["method"]) == ["closed-form"] * 2 and list(table["contact[0].right.kind"]) == ["edge"] * 2
+    assert 0 < table["load_share_error[0]"][0] == table["load_share[0]_error"][0] < 1e-12
 
 
 def test_exponents_and_their_derivation():

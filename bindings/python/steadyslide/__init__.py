@@ -6,10 +6,10 @@
     s.effective_friction, s.traction([-0.5, 0.5])
 
 Data are exact: integers, fractions.Fraction, decimal.Decimal, strings ("0.1", "1/3"). A float stands for the decimal that
-it prints. Bad data raise InvalidData, a ValueError, with the message of the command line. A solve that does not converge
-raises nothing: check Solution.solved and Solution.failed_condition. Signs and units are those of the command line: the
-traction is <= 0, stresses are positive in tension, z > 0 is the depth. Threads may share objects, and solve at the same
-time.
+it prints; Solution.traction() says what holds for arrays of floats. Bad data raise InvalidData, a ValueError, with the
+message of the command line. A solve that does not converge raises nothing: check Solution.solved and
+Solution.failed_condition. Signs and units are those of the command line: the traction is <= 0, stresses are positive in
+tension, z > 0 is the depth. Threads may share objects, and solve at the same time.
 """
 
 from ._core import InvalidData, __version__

@@ -7,13 +7,23 @@ from fractions import Fraction
 from numbers import Integral, Real
 from os import PathLike, fspath
 
+import numpy as np
+
 from ._core import InvalidData
 
 
 def exact(value, field):
-    """Returns the text of an exact number. A float stands for the decimal that it prints. Raises InvalidData."""
+    """Returns the text of an exact number. Raises InvalidData.
+
+    A float stands for the decimal that it prints. A number of mpmath has the digits of mpmath.mp.dps, a result of this
+    module all its digits.
+    """
+    if isinstance(value, np.ndarray) and value.ndim == 0:
+        value = value[()]
     if isinstance(value, str):
         return value
+    if hasattr(value, "_mpf_"):
+        return getattr(value, "digits", "") or str(value)
     if isinstance(value, Integral) and not isinstance(value, bool):
         return str(int(value))
     if isinstance(value, float):
@@ -22,9 +32,35 @@ def exact(value, field):
         return f"{value.numerator}/{value.denominator}"
     if isinstance(value, (Decimal, Real)) and not isinstance(value, bool):
         return str(value)
-    if hasattr(value, "_mpf_"):
-        return value.digits if hasattr(value, "digits") else str(value)
     raise InvalidData(f"{field}: wrong type; a number is a string, an integer or a decimal; {type(value).__name__}")
+
+
+def whole(value, field):
+    """Returns a whole number as an int. Raises InvalidData."""
+    if not isinstance(value, Integral) or isinstance(value, bool):
+        raise InvalidData(f"{field}: wrong type; it is a whole number; {value!r}")
+    if abs(value) >= 2**31:
+        raise InvalidData(f"{field}: out of range; its size is below 2^31; {value}")
+    return int(value)
+
+
+def real(value, field):
+    """Returns a number as a float. Raises InvalidData."""
+    if isinstance(value, (Real, Decimal)) and not isinstance(value, bool):
+        return float(value)
+    raise InvalidData(f"{field}: wrong type; it is a number; {value!r}")
+
+
+def text(value, field):
+    """Returns a text. Raises InvalidData for another type."""
+    if isinstance(value, str):
+        return value
+    raise InvalidData(f"{field}: wrong type; it is a text; {value!r}")
+
+
+def optional(convert, value, field):
+    """Returns the converted value, and None for None."""
+    return None if value is None else convert(value, field)
 
 
 def is_array(value):
@@ -44,13 +80,30 @@ def table(columns, field):
     return "".join(f"{a},{b}\n" for a, b in zip(x, values)) or "\n"
 
 
+def piece_of(piece, k):
+    """Returns a pair (to, profile) as a dict. Raises InvalidData for a list of another length."""
+    if not is_array(piece):
+        return piece
+    if len(piece) != 2:
+        raise InvalidData(f"indenter.pieces[{k}]: wrong length; a piece is (to, profile); {len(piece)} entries")
+    return dict(zip(("to", "profile"), piece))
+
+
 def without_arrays(document):
     """Returns a document in which text and lists stand for pairs of arrays, and the ends of the friction's edges or None."""
     indenter, friction, ends = document.get("indenter"), document.get("friction"), None
+    for name, group, keys in (("friction", friction, ("values", "jumps")), ("indenter", indenter, ("support",))):
+        for key in keys if isinstance(group, dict) else ():
+            if isinstance(group.get(key), (Real, Decimal)):
+                raise InvalidData(f"{name}.{key}: wrong type; it is an array of numbers; a number")
     if isinstance(indenter, dict):
+        if is_array(indenter.get("pieces")):
+            indenter = indenter | {"pieces": [piece_of(piece, k) for k, piece in enumerate(indenter["pieces"])]}
         samples = indenter.get("samples")
         if is_pair(samples):
             samples = table(samples, "indenter.samples")
+        elif is_array(samples):
+            raise InvalidData("indenter.samples: wrong type; it is (x, heights), the name of a file or a dict; an array")
         elif isinstance(samples, dict) and is_pair(samples.get("file")):
             samples = samples | {"file": table(samples["file"], "indenter.samples.file")}
         elif isinstance(samples, PathLike):

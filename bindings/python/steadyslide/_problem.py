@@ -1,9 +1,10 @@
 """The class Problem."""
 
+import re
 import tomllib
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
-from os import PathLike
+from os import PathLike, fspath
 from typing import Any
 
 import numpy as np
@@ -22,13 +23,13 @@ class Problem:
     load : number
         The load P > 0.
     poisson, young : number
-        The material of the half-plane.
+        The material of the half-plane. Without `young` it is 1.
     plane : {"strain", "stress"}
-        The state of the half-plane.
+        The state of the half-plane, by default "strain".
     gamma : number
         The coupling constant, instead of the material.
     sliding : {"+x", "-x"}
-        The direction in which the indenter slides.
+        The direction in which the indenter slides, by default "+x".
     load_at : number
         The place of the load, for an indenter that may tilt.
     friction : list of numbers, or (edges, values)
@@ -44,7 +45,7 @@ class Problem:
         A measured profile: two arrays, or the name of a file, or {"file": ..., "x_unit": ..., ...}, where the file may be
         two arrays, too.
     support : [left, right]
-        The ends of the indenter.
+        The ends of the indenter, by default [-1, 1].
     elastic : dict
         The material of the indenter, {"poisson": ..., "young": ...}.
     units : dict
@@ -70,7 +71,8 @@ class Problem:
     Notes
     -----
     All data are exact. Numbers are integers, fractions.Fraction, decimal.Decimal, texts such as "1/3" and floats; a float
-    is the shortest decimal that gives it back. A problem has one of profile, pieces, samples and harmonics.
+    is the shortest decimal that gives it back. A number of mpmath has the digits of mpmath.mp.dps, a result of this module
+    all its digits. A problem has one of profile, pieces, samples and harmonics.
 
     Examples
     --------
@@ -98,8 +100,6 @@ class Problem:
                  layers: Sequence[Mapping[str, Any]] | None = None, base: str | None = None,
                  symbol: str | PathLike[str] | None = None, period: Exact | None = None,
                  harmonics: Sequence[Mapping[str, Any]] | None = None) -> None:
-        if isinstance(pieces, (list, tuple)):
-            pieces = [dict(zip(("to", "profile"), piece)) if isinstance(piece, (list, tuple)) else piece for piece in pieces]
         if _document.is_pair(friction):
             if jumps is not None:
                 raise InvalidData("friction.jumps: conflicting key; edges and values leave it out; present")
@@ -141,10 +141,11 @@ class Problem:
         ------
         InvalidData
             "FILE:LINE: what is wrong; the rule; the value".
+            It is raised, too, if a profile or a table of symbols that the problem names cannot be read.
         OSError
-            If the file cannot be read: FileNotFoundError, with errno and filename, as of open().
+            If the problem file cannot be read: FileNotFoundError, with errno and filename, as of open().
         """
-        return cls._of(_core.Problem.read(str(path)))
+        return cls._of(_core.Problem.read(fspath(path)))
 
     @classmethod
     def from_string(cls, text: str, name: str = "") -> "Problem":
@@ -162,7 +163,7 @@ class Problem:
         InvalidData
             If the text breaks a rule.
         """
-        return cls._of(_core.Problem.from_text(text, str(name)))
+        return cls._of(_core.Problem.from_text(_document.text(text, "text"), str(name)))
 
     @property
     def text(self) -> str:
@@ -201,8 +202,8 @@ class Problem:
         Parameters
         ----------
         **changes
-            New data. The keywords are their paths in a problem file; None removes a datum. Arrays are taken as by
-            Problem.
+            New data. The keywords are their paths in a problem file. None removes a datum, and does nothing if the datum
+            is absent. Samples and friction may be pairs of arrays, pieces pairs (to, profile), as in Problem.
 
         Raises
         ------
@@ -220,7 +221,10 @@ class Problem:
         for path, value in changes.items():
             _document.changed(document, path, value)
         problem = object.__new__(Problem)
-        problem._set(document, self.name)
+        try:
+            problem._set(document, self.name)
+        except InvalidData as invalid:  # its line would be one of the new text
+            raise InvalidData(re.sub(rf"^{re.escape(self.name)}:\d+: ", "", str(invalid)) if self.name else str(invalid)) from None
         return problem
 
     def solve(self, digits: int = 16, method: str = "auto", cells: int | None = None, iterations: int | None = None,
@@ -241,7 +245,8 @@ class Problem:
         over : number
             The length of a window: the solution has the largest mean pressure over such a window, largest_average.
         start : Solution
-            The solution of a neighbouring problem. The Riemann-Hilbert method starts from it, and is then faster.
+            The solution of a neighbouring problem. The Riemann-Hilbert method starts from it, and is then faster. It is not
+            used if it is not solved, or if its precision is another one.
 
         Returns
         -------
@@ -260,8 +265,13 @@ class Problem:
         >>> round(s.effective_friction, 6), s.effective_friction.error < 1e-12
         (0.282808, True)
         """
-        options = {"digits": digits, "method": method, "cells": cells, "iterations": iterations, "accuracy": accuracy,
-                   "over": None if over is None else _document.exact(over, "over")}
+        if start is not None and not isinstance(start, Solution):
+            raise InvalidData(f"start: wrong type; it is a Solution; {type(start).__name__}")
+        options = {"digits": _document.whole(digits, "digits"), "method": _document.text(method, "method"),
+                   "cells": _document.optional(_document.whole, cells, "cells"),
+                   "iterations": _document.optional(_document.whole, iterations, "iterations"),
+                   "accuracy": _document.optional(_document.real, accuracy, "accuracy"),
+                   "over": _document.optional(_document.exact, over, "over")}
         return Solution(self, options, start)
 
     def solve_both_directions(self, **options: Any) -> BothDirections:
@@ -296,7 +306,7 @@ class Problem:
         loads : list of numbers
             The loads.
         **options
-            Those of solve().
+            Those of solve() but start.
 
         Returns
         -------
@@ -306,7 +316,7 @@ class Problem:
         Raises
         ------
         InvalidData
-            If a load is not positive, and as solve() does.
+            If a load is not positive, if the loads are a text, and as solve() does.
 
         Examples
         --------
@@ -315,6 +325,10 @@ class Problem:
         >>> [len(s.contact) for s in p.load_steps(["0.1", "0.2"])]
         [1, 1]
         """
+        if isinstance(loads, str):
+            raise InvalidData(f"loads: wrong type; they are a list of numbers; {loads!r}")
+        if "start" in options:
+            raise InvalidData("start: conflicting option; each solve starts from the one before; start")
         steps: list[Solution] = []
         for load in loads:
             steps.append(self.with_(load=load).solve(**options, start=steps[-1] if steps else None))
@@ -338,6 +352,7 @@ class Problem:
         InvalidData
             If digits is out of range.
         """
+        digits = _document.whole(digits, "digits")
         return [PossiblePoint(x, kind, side, number_of(exponent, digits), symbolic)
                 for x, kind, side, exponent, symbolic in _core.exponents(self._core, digits)]
 

@@ -32,14 +32,29 @@ class Number(float):
         return Number, (float(self), self.error)
 
 
-ContactEnd = NamedTuple("ContactEnd", [("x", Number), ("kind", str), ("exponent", Number), ("intensity", Number)])
-Contact = NamedTuple("Contact", [("left", ContactEnd), ("right", ContactEnd), ("width", Number), ("load", Number)])
+class ContactEnd(NamedTuple):
+    """An end of a contact zone: its place, its kind, and p ~ intensity d^exponent at the distance d from it."""
+
+    x: Number
+    kind: str
+    exponent: Number
+    intensity: Number
+
+
+class Contact(NamedTuple):
+    """A contact zone: its ends, its width, and the part of the load that it carries."""
+
+    left: ContactEnd
+    right: ContactEnd
+    width: Number
+    load: Number
 
 
 class SingularPoint(NamedTuple):
-    """A place where the traction is singular: p ~ stress_intensity (2 pi d)^exponent, d the distance from it.
+    """A place where the traction t is singular: -t ~ stress_intensity (2 pi d)^exponent - constant, d the distance from it.
 
-    The exponent of a logarithm is None. A stress intensity is None if there is no contact on its side.
+    At a logarithm t ~ intensity log(d)/pi + constant; its exponent and stress intensities are None. A stress intensity is
+    None, too, if there is no contact on its side. constant is 0 unless the indenter has a wedge at the place.
     """
 
     x: Number
@@ -112,7 +127,11 @@ for _key, (_, _, _unit, _meaning) in zip(Resultants._fields, _core.quantities):
 
 
 class Sample(NamedTuple):
-    """All quantities at one place of the surface. Pairs are the limits from the left and from the right."""
+    """All quantities at one place of the surface. Pairs are the limits from the left and from the right.
+
+    displacement is u, positive out of the body; slope is u', shear_slope u_t', the slope of the tangential displacement;
+    cumulative_load is the load left of the place.
+    """
 
     traction: tuple[Number, Number]
     shear: tuple[Number, Number]
@@ -126,7 +145,9 @@ class Sample(NamedTuple):
 class Stress(NamedTuple):
     """Stresses at points of the body, and the gradient of the displacement.
 
-    If the problem gives gamma instead of materials, yy, mean, von_mises and the gradient are None.
+    xx, zz, xz and yy are stresses, positive in tension. mean is a third of the trace, largest_shear half the difference of
+    the principal stresses in the plane. ux_z is the derivative of u_x with respect to z. If the problem gives gamma instead
+    of materials, yy, mean, von_mises and the gradient are None.
     """
 
     xx: Values
@@ -224,8 +245,9 @@ class NodalForces(NamedTuple):
 class Proof:
     """The result of a proof in ball arithmetic.
 
-    reason says why nothing is proved, and is empty if the solution is proved. certificate is JSON, and empty if nothing is
-    proved. unresolved_gaps are those of the certified solution.
+    reason says why nothing is proved, and is empty if the solution is proved. certificate is JSON, and empty if there is none.
+    In periodic contact proved is False, and steadyslide-check proves the certificate. On cells only load shares, effective
+    friction and friction force are proved. unresolved_gaps are those of the certified solution.
     """
 
     def __init__(self, proved: bool, reason: str, certificate: str, unresolved_gaps: list[UnresolvedGap]) -> None:

@@ -23,10 +23,7 @@ class Solution:
     If a function of x has two different limits at a place, traction(x), shear(x), gap(x) and slope(x) return the one of
     larger size; at(x) returns both.
 
-    Parameters
-    ----------
-    problem : Problem
-        The problem. Problem.solve() describes the other parameters.
+    Problem.solve() makes solutions; do not call the class.
     """
 
     # Each resultant is also a property; they are set below the class.
@@ -47,12 +44,7 @@ class Solution:
     core: Interval | None
 
     def __init__(self, problem: "Problem", options: dict[str, Any], start: "Solution | None" = None) -> None:
-        try:
-            self._core = _core.solve(problem._core, *options.values(), start and start._core)
-        except TypeError:
-            given = ", ".join(f"{key} = {value!r}" for key, value in options.items())
-            raise InvalidData("digits, cells and iterations are whole numbers, the method is a string, the accuracy a number; "
-                              + given) from None
+        self._core = _core.solve(problem._core, *options.values(), start and start._core)
         self._options = options
         #: the Problem
         self.problem = problem
@@ -159,6 +151,9 @@ class Solution:
             return Sample(*self._numbers(self._core.at(_document.exact(x, "x"))))
         places = np.asarray(x)
         samples = [self.at(place) for place in places.ravel().tolist()]
+        if not samples:
+            none = self._array([], places.shape)
+            return Sample(*((none, none) if name in ("traction", "shear", "slope", "shear_slope") else none for name in Sample._fields))
 
         def array(numbers):
             return self._array([number_of((np.nan, np.inf, ""), self.digits) if n is None else n for n in numbers], places.shape)
@@ -172,7 +167,8 @@ class Solution:
         Parameters
         ----------
         x : number or array
-            The places.
+            The places. With 16 digits and without errors, an array of floats is evaluated at the doubles themselves, not at
+            the decimals that they print. At a jump or an end whose place is no double give a text, or errors=True.
         errors : bool
             True to return the errors, too.
 
@@ -232,8 +228,9 @@ class Solution:
         Parameters
         ----------
         x, z : number or array
-            The places and the depths z >= 0. At z = 0 it is the stress on the side of the larger pressure, nan where it
-            has no bound.
+            The places and the depths z >= 0. With 16 digits they are rounded to doubles. At z = 0 it is the stress on the
+            side of the larger pressure; there xz = -shear. Where the pressure is infinite, zz is -inf, xz is infinite or 0,
+            and the others are nan.
         errors : bool
             True to return the errors, too.
 
@@ -245,7 +242,8 @@ class Solution:
         Raises
         ------
         InvalidData
-            If x or z is not a number, if z < 0, or if z > 0 is too small for 16 digits.
+            If x or z is not a number, if z < 0, if z > 0 is too small for 16 digits, if the point lies in a rigid base, or
+            if the body is given by symbols.
 
         Examples
         --------
@@ -256,7 +254,7 @@ class Solution:
         >>> s.stress(0.5, 0).zz == s.traction(0.5)
         True
         """
-        if self.digits <= 16:
+        if self.digits <= 16 or np.size(x) == 0 or np.size(z) == 0:
             points, depths = np.broadcast_arrays(_floats(x, "x"), _floats(z, "z"))
             parts = self._core.stresses(points.ravel(), depths.ravel())
             values, wrong = ([None if part is None else part[k].reshape(points.shape)[()] for part in parts] for k in (0, 1))
@@ -290,7 +288,8 @@ class Solution:
         Raises
         ------
         InvalidData
-            If x or z is not a number, if z < 0, or if the problem gives gamma instead of a material.
+            If x or z is not a number, if z < 0, if the problem gives gamma instead of a material, or if the body has layers,
+            a period or symbols.
 
         Notes
         -----
@@ -306,7 +305,7 @@ class Solution:
         (True, True)
         """
         found, shape = self._at_points(self._core.displacement, x, z)
-        columns = [self._with_errors(list(part), shape) for part in zip(*found)]
+        columns = [self._with_errors(list(part), shape) for part in zip(*found)] or [(np.empty(shape), np.empty(shape))] * 2
         values, wrong = (Displacement(*(column[k] for column in columns)) for k in (0, 1))
         return (values, wrong) if errors else values
 
@@ -329,8 +328,8 @@ class Solution:
         Raises
         ------
         InvalidData
-            If the depth is not a number or negative, if the length is not positive, or if the problem gives gamma instead of
-            a material.
+            If the depth is not a number or negative, if the length is not positive, if the problem gives gamma instead of a
+            material, or if it has a length and more than 16 digits, layers or a period.
 
         Examples
         --------
@@ -339,7 +338,7 @@ class Solution:
         >>> abs(largest.x) < 1e-6, largest.z > 0, largest.unbounded_at
         (True, True, [])
         """
-        wanted = [None if value is None else _document.exact(value, name) for name, value in (("depth", depth), ("over", over))]
+        wanted = [_document.optional(_document.exact, value, name) for name, value in (("depth", depth), ("over", over))]
         return LargestStress(*self._numbers(self._core.max_stress(*wanted)))
 
     def interface_stress(self) -> list[InterfaceStress]:
@@ -387,8 +386,8 @@ class Solution:
             If the mesh is invalid, or if the contact reaches beyond the mesh.
         """
         texts = [_document.exact(node, f"nodes[{k}]") for k, node in enumerate(np.asarray(nodes).ravel().tolist())]
-        columns = [self._with_errors(list(forces), (len(texts),))
-                   for forces in zip(*self._numbers(self._core.nodal_forces(texts, order)))]
+        found = self._core.nodal_forces(texts, _document.whole(order, "order"))
+        columns = [self._with_errors(list(forces), (len(texts),)) for forces in zip(*self._numbers(found))]
         return NodalForces(*(values for values, _ in columns), *(wrong for _, wrong in columns))
 
     def certify(self) -> Proof:
@@ -397,7 +396,9 @@ class Solution:
         Returns
         -------
         Proof
-            With a certificate for steadyslide-check, if the solution is proved.
+            With a certificate for steadyslide-check, if the solution is proved. With a period proved is False, and the
+            certificate holds what steadyslide-check has yet to prove. On cells only the load shares, the effective friction
+            and the friction force are proved.
         """
         proved, reason, certificate, gaps = self._core.certify()
         return Proof(proved, reason, certificate, self._gaps(gaps))
@@ -466,8 +467,12 @@ def _floats(values, field):
         return np.asarray(values, dtype=float)
     except (TypeError, ValueError):
         array = np.asarray(values, dtype=object)
-        texts = [_document.exact(one, field) for one in array.ravel()]
-        try:
-            return np.array([float(Fraction(text)) for text in texts]).reshape(array.shape)
-        except ValueError:
-            raise InvalidData(f"{field}: not a number; a number is written like 2, -0.25, 1e-3 or 1/3; {texts[0]!r}") from None
+        return np.array([_float(_document.exact(one, field), f"{field}[{k}]" if array.ndim > 0 else field)
+                         for k, one in enumerate(array.ravel())]).reshape(array.shape)
+
+
+def _float(text, field):
+    try:
+        return float(Fraction(text))
+    except (ValueError, ZeroDivisionError):
+        raise InvalidData(f"{field}: not a number; a number is written like 2, -0.25, 1e-3 or 1/3; {text!r}") from None

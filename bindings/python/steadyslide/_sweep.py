@@ -17,10 +17,11 @@ from ._problem import Problem
 def result(solution, column):
     """Returns the result that a column names, nan if the solution has no such number.
 
-    Names are those of the command line: "contact[0].left.x", "effective_friction_error", "singular_points.size".
+    Names are those of the command line: "contact[0].left.x", "load_share_error[0]", "singular_points.size".
     """
-    if column.endswith("_error") and column != "estimated_error":
-        return getattr(result(solution, column.removesuffix("_error")), "error", np.nan)
+    of_error = re.fullmatch(r"(.+)_error((?:\[\d+\])*)", column)
+    if of_error and column != "estimated_error":
+        return getattr(result(solution, of_error[1] + of_error[2]), "error", np.nan)
     value = solution
     for name, index in re.findall(r"([^.\[\]]+)|\[(\d+)\]", column):
         try:
@@ -100,7 +101,7 @@ def sweep(base: Problem, vary: Mapping[str | tuple[str, ...], Sequence[Any]], co
         have a tuple of paths, and tuples of values.
     columns : list of str
         Names of results: "load_share[0]", "contact[0].left.x", "largest_pressure.value", "effective_friction_error",
-        "singular_points.size".
+        "singular_points.size", "method". The uniqueness and the largest stress are no columns here.
     executor : concurrent.futures.Executor
         By default threads, one for each core.
     **options
@@ -115,7 +116,8 @@ def sweep(base: Problem, vary: Mapping[str | tuple[str, ...], Sequence[Any]], co
     Raises
     ------
     InvalidData
-        If vary or columns is wrong.
+        If vary has no lists of values, or if a solved problem has no such column. A wrong path or a wrong option of solve()
+        raises nothing: failed_condition has the reason in each row.
 
     Examples
     --------
@@ -138,9 +140,11 @@ def sweep(base: Problem, vary: Mapping[str | tuple[str, ...], Sequence[Any]], co
     else:
         rows = list(executor.map(row, tasks))
     data = {path: column_of([changes[path] for _, changes, _, _ in tasks]) for path in tasks[0][1]}
+    digits = options.get("digits", 16)
     for k, column in enumerate(columns):
         values = [results[k] for results, _ in rows]
-        data[column] = np.array(values, dtype=float if options.get("digits", 16) <= 16 else object)
+        numbers = not any(isinstance(value, str) for value in values) and not (isinstance(digits, int) and digits > 16)
+        data[column] = np.array(values, dtype=float if numbers else object)
     data["failed_condition"] = np.array([failed for _, failed in rows], dtype=object)
     table = np.empty(len(rows), dtype=[(name, array.dtype) for name, array in data.items()])
     for name, array in data.items():

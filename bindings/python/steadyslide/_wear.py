@@ -21,7 +21,10 @@ class WearHistory(NamedTuple):
     rows : numpy.ndarray
         A structured array, first the contact before any wear, then one row for each step: distance, left, right, zones,
         effective_friction, centre_of_pressure, tilt, largest_pressure, wear_rate, wear_volume, from_run_in, step_error.
-        tilt is nan if the attitude is given, from_run_in if the run-in pressure is not known.
+        tilt is nan if the attitude is given, from_run_in if the run-in pressure is not known. left and right are the ends of
+        the contact, zones is the number of its zones. largest_pressure is the largest mean over a cell. from_run_in is the
+        integral of the difference from the run-in pressure, without sign, over the load. step_error is the estimated error
+        of the step, a part of the wear volume. If a step fails, the last row stands twice.
     x : numpy.ndarray
         The middles of the cells.
     pressure : numpy.ndarray
@@ -81,7 +84,8 @@ def wear(problem: Problem, distance: Any, steps: int | None = None, accuracy: fl
     Raises
     ------
     InvalidData
-        If the problem has no wear, or an option is out of range.
+        If the problem has no wear, if an option is out of range, if steps and accuracy are given together, or if `until` is
+        given and the run-in pressure is not known.
 
     Examples
     --------
@@ -93,5 +97,8 @@ def wear(problem: Problem, distance: Any, steps: int | None = None, accuracy: fl
     array([0.2828, 0.4   ])
     """
     told = None if callback is None else lambda row, pressure, depth: callback(row_of(row), pressure, depth)
-    rows, edges, *rest = _core.wear(problem._core, _document.exact(distance, "distance"), steps, accuracy, until, cells, told)
+    options = [_document.optional(convert, value, name)
+               for convert, value, name in ((_document.whole, steps, "steps"), (_document.real, accuracy, "accuracy"),
+                                            (_document.real, until, "until"), (_document.whole, cells, "cells"))]
+    rows, edges, *rest = _core.wear(problem._core, _document.exact(distance, "distance"), *options, told)
     return WearHistory(np.array([row_of(row) for row in rows], dtype=ROW), (edges[1:] + edges[:-1]) / 2, *rest)
