@@ -38,7 +38,7 @@ struct Numbers {
     return {static_cast<double>(estimate.value), static_cast<double>(estimate.error),
             digits > 0 ? library::full_number(estimate.value, digits) : ""};
   }
-  Number operator()(const Exponent& exponent) const { return (*this)(Estimate<R>{numeric::to_real<R>(exponent)}); }
+  Number operator()(const Exponent& exponent) const { return number_of(exponent, digits); }
   Limits operator()(const numeric::TwoSided<R>& limits) const { return {(*this)(limits.left), (*this)(limits.right)}; }
   template <class T>
   auto operator()(const std::optional<T>& value) const {

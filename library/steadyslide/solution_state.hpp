@@ -26,6 +26,12 @@ inline const ContactProblem& contact_problem(const Problem& problem) { return da
 /// Returns parse_rational() of the text. Throws InvalidData that names `field`.
 Rational rational(const Exact& number, const std::string& field);
 
+/// Throws InvalidData that names `option` unless least <= value <= most.
+void check(const char* option, int value, int least, int most);
+
+/// Returns the exponent rounded to `digits` >= 1. Its error is one unit of the last digit.
+Number number_of(const Exponent& exponent, int digits);
+
 /// The solution in the precision that has it.
 using AnySolution =
     std::variant<const numeric::ContactSolution<double>*, const numeric::ContactSolution<numeric::Real50>*,

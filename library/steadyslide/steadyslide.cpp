@@ -158,12 +158,6 @@ std::vector<double> one_by_one(const Solution& solution, std::span<const double>
   return result;
 }
 
-void check(const char* option, int value, int least, int most) {
-  if (value >= least && value <= most) return;
-  throw InvalidData(option, std::string(option) + ": out of range",
-                    fmt::format("it is a whole number from {} to {}", least, most), fmt::format("'{}'", value));
-}
-
 }  // namespace
 
 const char* version() { return library::version; }
@@ -176,6 +170,17 @@ Rational rational(const Exact& number, const std::string& field) {
   } catch (const InvalidData& invalid) {
     throw InvalidData(field + ": " + invalid.what());
   }
+}
+
+void check(const char* option, int value, int least, int most) {
+  if (value >= least && value <= most) return;
+  throw InvalidData(option, std::string(option) + ": out of range",
+                    fmt::format("it is a whole number from {} to {}", least, most), fmt::format("'{}'", value));
+}
+
+Number number_of(const Exponent& exponent, int digits) {
+  const auto value = static_cast<double>(numeric::to_real<numeric::Real50>(exponent));  // the nearest double
+  return {value, std::abs(value) * std::pow(10, 1 - digits), library::format_exponent(exponent, digits)};
 }
 
 Problem::Problem(const ProblemData& data) : Problem(from_text(problem_text(data))) {}
@@ -345,9 +350,7 @@ std::vector<PossiblePoint> exponents(const Problem& problem, int digits) {
     PossiblePoint told{point.x ? library::exact_text(*point.x) : "", std::string(name_of(point.kind)),
                        std::string(name_of(point.contact)), std::nullopt, ""};
     if (point.exponent) {
-      const std::string text = library::format_exponent(*point.exponent, digits);
-      const auto value = numeric::to_real<double>(*point.exponent);
-      told.exponent = Number{value, std::abs(value) * 1e-16, text};
+      told.exponent = number_of(*point.exponent, digits);
       told.symbolic = to_string(*point.exponent);
     }
     result.push_back(std::move(told));

@@ -2,12 +2,6 @@
 #include "numeric/wear/wear_run.hpp"
 
 namespace steadyslide {
-namespace {
-
-/// Returns a count that the facade has as an int; a negative one is out of range.
-std::size_t count_of(int value) { return value < 0 ? 0 : static_cast<std::size_t>(value); }
-
-}  // namespace
 
 WearHistory wear(const Problem& problem, const WearOptions& options,
                  const std::function<void(const WearRow&, const std::vector<double>& pressure,
@@ -18,12 +12,16 @@ WearHistory wear(const Problem& problem, const WearOptions& options,
     throw InvalidData("steps", "steps: conflicting option", "the accuracy chooses the steps", "accuracy");
   numeric::wear::WearWanted wanted;
   wanted.distance = rational(options.distance, "distance").convert_to<double>();
-  if (options.steps) wanted.steps = *options.steps;
-  if (options.steps && *options.steps == 0)
-    throw InvalidData("steps", "steps: out of range", "there are 1 to 1000000 steps", "0");
+  if (options.steps) {
+    check("steps", *options.steps, 1, 1000000);
+    wanted.steps = *options.steps;
+  }
   wanted.accuracy = options.accuracy.value_or(wanted.accuracy);
   wanted.until = options.until.value_or(0);
-  if (options.cells) wanted.cells = count_of(*options.cells);
+  if (options.cells) {
+    check("cells", *options.cells, numeric::fewest_cells, numeric::most_cells);
+    wanted.cells = static_cast<std::size_t>(*options.cells);
+  }
   std::optional<numeric::wear::WearRun> run;
   try {
     run.emplace(contact_problem(problem), *coefficients, wanted);

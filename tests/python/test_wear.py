@@ -101,9 +101,10 @@ class Wear(unittest.TestCase):
         for options, message in (
                 ({"distance": 0}, "distance: out of range; a sliding distance is positive, at most 1e300; 0"),
                 ({"distance": "far"}, "distance: not a number; a number is written like 2, -0.25, 1e-3 or 1/3; 'far'"),
-                ({"distance": 1, "steps": 0}, "steps: out of range; there are 1 to 1000000 steps; 0"),
-                ({"distance": 1, "steps": -2}, "steps: out of range; there are 1 to 1000000 steps; -2"),
-                ({"distance": 1, "cells": 2}, "cells: out of range; there are 16 to 4194304 cells; 2"),
+                ({"distance": 1, "steps": 0}, "steps: out of range; it is a whole number from 1 to 1000000; '0'"),
+                ({"distance": 1, "steps": -2}, "steps: out of range; it is a whole number from 1 to 1000000; '-2'"),
+                ({"distance": 1, "cells": 2}, "cells: out of range; it is a whole number from 16 to 4194304; '2'"),
+                ({"distance": 1, "cells": -1}, "cells: out of range; it is a whole number from 16 to 4194304; '-1'"),
                 ({"distance": 1, "accuracy": 0.0}, "accuracy: out of range; the error of a step is 1e-6 to 1; 0"),
                 ({"distance": 1, "steps": 3, "accuracy": 0.1}, "steps: conflicting option; the accuracy chooses the steps; accuracy"),
                 ({"distance": 1, "until": 1.5}, "until: out of range; a part of the load is in [0, 1[; 1.5")):

@@ -168,6 +168,7 @@ TEST_CASE("exponents, their derivation and a proof") {
   CHECK(points[0].symbolic == "-1/2 - arctan(3/80)/pi");
   CHECK(points[0].exponent->value == doctest::Approx(-0.5 - std::atan(3.0 / 80) / std::acos(-1)).epsilon(1e-15));
   CHECK(points[0].exponent->digits == "-0.51193103015721390799784273158");
+  CHECK(points[0].exponent->error == doctest::Approx(0.512e-29).epsilon(1e-3));
   CHECK(derivation(problem).find("edge, contact on the right") != std::string::npos);
   const Proof proof = solve(problem).certify();
   CHECK(proof.proved);
