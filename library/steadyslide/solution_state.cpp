@@ -32,11 +32,14 @@ struct Numbers {
   int digits;
 
   Number operator()(const Estimate<R>& estimate) const {
-    using std::isinf, std::isnan;
-    const bool known = !isnan(estimate.value) && (!isinf(estimate.error) || isinf(estimate.value));
-    if (!known) return unknown_number();
-    return {static_cast<double>(estimate.value), static_cast<double>(estimate.error),
-            digits > 0 ? library::full_number(estimate.value, digits) : ""};
+    using std::abs, std::isinf, std::isnan;
+    const R& value = estimate.value;
+    if (isnan(value) || (isinf(estimate.error) && !isinf(value))) return unknown_number();
+    const auto nearest = static_cast<double>(value);
+    std::string text = digits > 0 ? library::full_number(value, digits) : "";
+    R error = estimate.error;
+    if (!isinf(value)) error = digits > 0 ? library::error_of_text(text, estimate) : R(error + abs(R(nearest) - value));
+    return {nearest, rounded_up(error), std::move(text)};
   }
   Number operator()(const Exponent& exponent) const { return number_of(exponent, digits); }
   Limits operator()(const numeric::TwoSided<R>& limits) const { return {(*this)(limits.left), (*this)(limits.right)}; }
@@ -72,6 +75,10 @@ struct Numbers {
     return stress;
   }
 
+  static double rounded_up(const R& error) {
+    const auto nearest = static_cast<double>(error);
+    return R(nearest) < error ? std::nextafter(nearest, std::numeric_limits<double>::infinity()) : nearest;
+  }
   static Number unknown_number() {
     return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), ""};
   }

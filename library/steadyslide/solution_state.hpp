@@ -29,7 +29,8 @@ Rational rational(const Exact& number, const std::string& field);
 /// Throws InvalidData that names `option` unless least <= value <= most.
 void check(const char* option, int value, int least, int most);
 
-/// Returns the exponent rounded to `digits` >= 1. Its error is one unit of the last digit.
+/// Returns the exponent e rounded to `digits` >= 1. The error is |e| 10^(1 - digits): it covers the rounding of `digits`,
+/// and up to 16 digits that of `value`.
 Number number_of(const Exponent& exponent, int digits);
 
 /// The solution in the precision that has it.

@@ -57,8 +57,9 @@ class STEADYSLIDE_API Exact {
   std::string text_;
 };
 
-/// A result: the double nearest to it, its estimated absolute error, and all requested digits. For an unknown result,
-/// `value` is NaN, `error` is infinite and `digits` is empty.
+/// A result: the double nearest to it, its estimated absolute error, and all requested digits. The error includes the
+/// rounding of `digits`, or of `value` where `digits` is empty. For an unknown result, `value` is NaN, `error` is infinite
+/// and `digits` is empty.
 struct Number {
   double value = 0;
   double error = 0;

@@ -145,13 +145,6 @@ R number_of(const std::string& text) {
 
 constexpr int error_digits = 2;
 
-/// The error of a printed estimate: its own error plus the rounding of the text.
-template <numeric::Real R>
-Scientific error_of_text(const std::string& text, const numeric::Estimate<R>& estimate, int digits) {
-  using std::abs;
-  return rounded_up(R(abs(estimate.error) + abs(number_of<R>(text) - estimate.value)), digits);
-}
-
 std::string size_of(const Scientific& error, int digits) {
   return error.digits.find_first_not_of('0') == std::string::npos ? "0" : lay_out(error, digits);
 }
@@ -164,7 +157,7 @@ std::string with_error(const numeric::Estimate<R>& estimate) {
   const long digits = estimate.value == 0 ? 0 : scientific(estimate.value, 17).exponent - error.exponent + error_digits;
   constexpr int plain = 6;
   const std::string value = digits < 1 ? "0" : lay_out(scientific(estimate.value, static_cast<int>(digits)), plain);
-  return fmt::format("{} +/- {}", value, lay_out(error_of_text(value, estimate, error_digits), plain));
+  return fmt::format("{} +/- {}", value, lay_out(rounded_up(error_of_text(value, estimate), error_digits), plain));
 }
 
 /// Returns the smallest p with error <= 10^p.
@@ -206,6 +199,12 @@ std::string full_number(const R& value, int digits) {
   const bool stands_for_it = std::isnormal(nearest) || (nearest != 0 && value == R(nearest));
   return digits == 16 && stands_for_it && std::isfinite(nearest) ? lay_out(scientific_text(nearest), digits)
                                                                  : format_number(value, digits);
+}
+
+template <numeric::Real R>
+R error_of_text(const std::string& text, const numeric::Estimate<R>& estimate) {
+  using std::abs;
+  return abs(estimate.error) + abs(number_of<R>(text) - estimate.value);
 }
 
 std::string full_number(const Rational& value, int digits) { return number_text(ball_of(value, digits), digits).value; }
@@ -251,7 +250,7 @@ NumberText number_text(const numeric::Estimate<R>& estimate, int digits) {
   if (text.shown.empty()) return text;
   text.value = full_number(estimate.value, digits);
   const int few = std::min(error_digits, digits);
-  text.error = isinf(estimate.value) ? "0" : size_of(error_of_text(text.value, estimate, few), few);
+  text.error = isinf(estimate.value) ? "0" : size_of(rounded_up(error_of_text(text.value, estimate), few), few);
   return text;
 }
 
@@ -305,11 +304,12 @@ ExponentText exponent_text(const std::optional<Exponent>& exponent, int digits) 
   return {format_exponent(*exponent, digits), to_string(*exponent), symbolic::latex(*exponent)};
 }
 
-#define STEADYSLIDE_NUMBERS_AS_TEXT(R)                                  \
-  template std::string format_number(const R&, int);                    \
-  template std::string format_number(const numeric::Estimate<R>&, int); \
-  template std::string full_number(const R&, int);                      \
-  template NumberText number_text(const numeric::Estimate<R>&, int);    \
+#define STEADYSLIDE_NUMBERS_AS_TEXT(R)                                       \
+  template std::string format_number(const R&, int);                         \
+  template std::string format_number(const numeric::Estimate<R>&, int);      \
+  template std::string full_number(const R&, int);                           \
+  template R error_of_text(const std::string&, const numeric::Estimate<R>&); \
+  template NumberText number_text(const numeric::Estimate<R>&, int);         \
   template std::string size_text(const R&, int)
 STEADYSLIDE_NUMBERS_AS_TEXT(double);
 STEADYSLIDE_NUMBERS_AS_TEXT(numeric::Real50);

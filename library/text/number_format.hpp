@@ -27,6 +27,10 @@ template <numeric::Real R>
 std::string full_number(const R& value, int digits);
 std::string full_number(const Rational& value, int digits);
 
+/// Returns the absolute error of the text of a finite estimate: the error of the estimate plus the rounding of the text.
+template <numeric::Real R>
+R error_of_text(const std::string& text, const numeric::Estimate<R>& estimate);
+
 /// An estimate as texts, for a person and for a file. The texts are empty if the value is not known.
 struct NumberText {
   std::string shown;    ///< the digits that the error supports

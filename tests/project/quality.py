@@ -120,7 +120,7 @@ def rows_of(page):
 
 
 def age_of(commits):
-    """Returns a sentence with the rows that tested the program before its last change, from the commit of each row."""
+    """Returns which rows tested the program before its last change, and what changed since, from the commit of each row."""
     git = ["git", "-C", ROOT]
     layers = ["model", "symbolic", "numeric", "enclosure", "checker", "proofs_checks", "library", "app", "bindings"]
     # A change of comments, includes or help alone does not count. The help of the checker is the strings of its main.cpp.
@@ -130,12 +130,18 @@ def age_of(commits):
                               text=True, check=True).stdout.strip() for pattern, paths in kinds]
     newest = [*git, "log", "-1", "--no-walk", "--format=%h", *changes]
     last = subprocess.run(newest, capture_output=True, text=True, check=True).stdout.strip()
-    follows = [*git, "merge-base", "--is-ancestor", last]
-    older = [kind for kind, tested in commits.items()
-             if any(subprocess.run([*follows, commit.removesuffix("-dirty")], capture_output=True, check=False).returncode
-                    for commit in tested.split(", "))]
-    rows = f"The runs of these rows are older: {', '.join(older)}" if older else "No run is older"
-    return f"The C++ code of the program changed last at {last}. {rows}."
+    older, changed = [], set()
+    for kind, tested in commits.items():
+        files = {name for commit in filter(None, tested.split(", ")) for pattern, paths in kinds
+                 for name in subprocess.run([*git, "diff", "--name-only", "-G", pattern, commit.removesuffix("-dirty"), "HEAD", "--", *paths],
+                                            capture_output=True, text=True, check=True).stdout.split()}
+        older += [kind] if files else []
+        changed |= files
+    rows = "No run is older."
+    if older:
+        names = ", ".join(f"`{name}`" for name in sorted(changed))
+        rows = f"The runs of these rows are older: {', '.join(older)}. Only these files changed after them: {names}."
+    return f"The C++ code of the program changed last at {last}. {rows}"
 
 
 class Figure(dict):

@@ -252,6 +252,24 @@ def test_exponents_and_their_derivation():
     assert "assume" in problem.derivation()
 
 
+@pytest.mark.parametrize("digits", [7, 16, 17, 34, 50, 61, 100])
+def test_errors_include_the_rounding_to_digits(digits):
+    problem = ss.Problem(load=1, gamma="3/8", friction=["1/10", "1/2"], jumps=["1/11"], profile="0", support=["-1/7", "1/3"])
+    solution = problem.solve(digits=digits)
+    (contact,) = solution.contact
+    found = {"left": (contact.left.x, Fraction(-1, 7)), "right": (contact.right.x, Fraction(1, 3)),
+             "width": (contact.width, Fraction(10, 21)), "jump": (solution.singular_points[1].x, Fraction(1, 11))}
+    with mpmath.workdps(150):
+        for name, (x, exact) in found.items():
+            assert abs(mpmath.mpf(x) - mpmath.mpf(exact.numerator) / exact.denominator) <= x.error < 10**(1 - min(digits, 15)), name
+        more = problem.solve(digits=100)
+        for one, other in zip(solution.load_share, more.load_share):
+            assert 0 <= abs(mpmath.mpf(one) - other) <= one.error + other.error
+        exact = -mpmath.mpf(1) / 2 + mpmath.atan(mpmath.mpf(3) / 16) / mpmath.pi
+        exponent = contact.right.exponent
+        assert abs(exponent - exact) <= exponent.error
+
+
 def test_proofs_have_certificates(tmp_path):
     proof = ss.Problem(**COATINGS).solve().certify()
     assert proof.proved

@@ -9,8 +9,8 @@ class Number(mpmath.mpf):
 
     def __new__(cls, digits, error):
         number = object.__new__(cls)
-        # Keeps all digits, whatever mpmath's current precision is.
-        precision = 16 + int(3.33 * max(len(digits), 16))
+        # Keeps all digits, whatever mpmath's current precision is. The rounding is small against a unit of the last digit.
+        precision = 64 + int(3.33 * max(len(digits), 16))
         number._mpf_ = libmp.from_str(digits or "nan", precision, libmp.round_nearest)
         number.digits = digits
         number.error = error
